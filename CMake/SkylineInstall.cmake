@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# find_package(Skyline): the config file beside the targets that vtk_module_build exports.
+include(CMakePackageConfigHelpers)
+
+set(config "${CMAKE_BINARY_DIR}/${skyline_cmake_destination}/SkylineConfig")
+configure_package_config_file(
+  "${CMAKE_CURRENT_LIST_DIR}/SkylineConfig.cmake.in" "${config}.cmake"
+  INSTALL_DESTINATION "${skyline_cmake_destination}"
+  NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file("${config}Version.cmake" COMPATIBILITY SameMinorVersion)
+install(FILES "${config}.cmake" "${config}Version.cmake"
+  DESTINATION "${skyline_cmake_destination}")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Functions that add tests. Every test carries its room as label: `ctest --preset default -L Geo`.
+include(GoogleTest)
+include("${CMAKE_CURRENT_LIST_DIR}/SkylineTargets.cmake")
+
+# skyline_add_gtest(<Name> <source>... [LIBRARIES <target>...] [LABELS <label>...] [SERIAL])
+#   Builds a GoogleTest program (with GoogleTest's main) and adds each of its tests to ctest.
+#   In Testing/Geo:  skyline_add_gtest(TestSunPosition TestSunPosition.cxx)
+#   Links Skyline::SkylineCore; name more with LIBRARIES. SERIAL: runs alone (timings).
+#   SKYLINE_TEST_DATA (Testing/Data) and SKYLINE_TEST_OUTPUT (a folder to write in) are strings.
+function (skyline_add_gtest name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SERIAL" "" "LIBRARIES;LABELS")
+  get_filename_component(room "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
+  set(output "${CMAKE_CURRENT_BINARY_DIR}/${name}-output")
+  file(MAKE_DIRECTORY "${output}")
+
+  add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
+  skyline_compile_options(${name})
+  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/Testing/Oracle")
+  target_link_libraries(${name} PRIVATE Skyline::SkylineCore ${arg_LIBRARIES} GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE
+    "SKYLINE_TEST_DATA=\"${PROJECT_SOURCE_DIR}/Testing/Data\""
+    "SKYLINE_TEST_OUTPUT=\"${output}\"")
+  set_target_properties(${name} PROPERTIES
+    RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin/Testing")
+  set(properties LABELS "${room};${arg_LABELS}" TIMEOUT 600)
+  if (arg_SERIAL)
+    list(APPEND properties RUN_SERIAL TRUE)
+  endif ()
+  gtest_discover_tests(${name}
+    TEST_PREFIX "${room}."
+    DISCOVERY_MODE PRE_TEST
+    DISCOVERY_TIMEOUT 120
+    WORKING_DIRECTORY "${output}"
+    PROPERTIES ${properties})
+endfunction ()
+
+# skyline_add_python_test(<Name> <script> [<argument>...])
+#   Runs a Python script (a path from here) that can `import skyline` from the build tree.
+function (skyline_add_python_test name script)
+  get_filename_component(room "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
+  get_filename_component(script "${script}" ABSOLUTE)
+  add_test(NAME ${room}.${name}
+    COMMAND "${Python3_EXECUTABLE}" "${script}" ${ARGN})
+  set_tests_properties(${room}.${name} PROPERTIES
+    ENVIRONMENT_MODIFICATION "PYTHONPATH=path_list_prepend:${CMAKE_BINARY_DIR}/python"
+    LABELS "${room}" TIMEOUT 600)
+endfunction ()

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Evenly spread azimuths.
+#ifndef skyline_Azimuths_h
+#define skyline_Azimuths_h
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace skyline
+{
+
+constexpr int MaximumAzimuths = 3600; ///< a tenth of a degree: finer than any raster resolves
+
+/// 360 k / count degrees, k = 0 .. count - 1. std::invalid_argument unless 1 <= count <= 3600.
+inline std::vector<double> EvenAzimuths(int count)
+{
+  if (count < 1 || count > MaximumAzimuths)
+  {
+    throw std::invalid_argument(
+      std::to_string(count) + " azimuths; give 1 to " + std::to_string(MaximumAzimuths));
+  }
+  std::vector<double> azimuths;
+  for (int k = 0; k < count; ++k)
+  {
+    azimuths.push_back(360.0 * k / count);
+  }
+  return azimuths;
+}
+
+} // namespace skyline
+
+#endif

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A height field ready for horizons, and the loop over azimuths that feeds its consumers.
+#ifndef skyline_HorizonScene_h
+#define skyline_HorizonScene_h
+
+#include "Accumulator.h"
+#include "Georeference.h"
+#include "HeightField.h"
+#include "HorizonMethod.h"
+#include "RowSpacing.h"
+
+#include <functional>
+#include <vector>
+
+class vtkDataArray;
+class vtkFloatArray;
+class vtkImageData;
+
+namespace skyline
+{
+
+/// Built from a filter's input; throws std::invalid_argument with a one-line reason if that carries
+/// no surface. The image must outlive it.
+class HorizonScene
+{
+public:
+  struct Options
+  {
+    HorizonSettings Settings; ///< Sink is set here, from the georeference
+    bool Flat = false;
+    double Refraction = 0.0;
+  };
+  HorizonScene(vtkImageData* image, vtkDataArray* heights, const Options& options);
+
+  /// Told the part done, 0 to 1; returns false to stop.
+  std::function<bool(double)> Progress;
+
+  /// Feeds the consumer every azimuth (degrees clockwise from grid north), each standing for `width`
+  /// radians. False if stopped.
+  bool Run(const std::vector<double>& azimuths, double width, Accumulator& consumer);
+
+  /// dz/dx and dz/dy of every post, row by row.
+  void FillGradients(float* east, float* north) const;
+
+  /// NaN at the missing posts of all components of an array.
+  void BlankMissing(vtkFloatArray* array) const;
+
+  /// A float array of a value a post and component, row by row; not filled.
+  vtkFloatArray* AddArray(vtkImageData* output, const char* name, int components = 1) const;
+
+  const Grid& Posts() const { return this->Field.Posts(); }
+  const Georeference& Place() const { return this->Where; }
+  double MeanHeight() const { return this->Mean; } ///< metres, halfway between lowest and highest
+
+  double PrepareSeconds = 0.0, SearchSeconds = 0.0; ///< of all runs
+
+private:
+  void FindBand(const HorizonMethod& method, const RowBand& band, Accumulator& consumer) const;
+  void FindRows(const HorizonMethod& method, const RowBand& band, Accumulator& consumer) const;
+  void FindColumns(const HorizonMethod& method, const RowBand& band, Accumulator& consumer) const;
+
+  vtkDataArray* Heights;
+  Georeference Where;
+  HeightField Field;
+  HorizonSettings Settings;
+  std::vector<RowBand> Bands;
+  double Mean = 0.0;
+};
+
+} // namespace skyline
+
+#endif

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeightFieldAlgorithm.h"
+
+#include "HorizonScene.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkVersionMacros.h"
+
+#include <exception>
+
+void vtkHeightFieldAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->Method << "\n"
+     << indent << "Surface: " << this->Surface << "\n"
+     << indent << "Flat: " << this->Flat << "\n"
+     << indent << "RefractionCoefficient: " << this->RefractionCoefficient << "\n"
+     << indent << "Tolerance: " << this->Tolerance << "\n"
+     << indent << "PrepareSeconds: " << this->PrepareSeconds << "\n"
+     << indent << "SearchSeconds: " << this->SearchSeconds << "\n";
+}
+
+int vtkHeightFieldAlgorithm::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+int vtkHeightFieldAlgorithm::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** in, vtkInformationVector*)
+{
+  // Any post may be the horizon of any other.
+  vtkInformation* info = in[0]->GetInformationObject(0);
+  int extent[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  return 1;
+}
+
+int vtkHeightFieldAlgorithm::RequestData(
+  vtkInformation*, vtkInformationVector** in, vtkInformationVector* out)
+{
+  vtkImageData* input = vtkImageData::GetData(in[0]);
+  vtkImageData* output = vtkImageData::GetData(out);
+  vtkDataArray* heights = this->GetInputArrayToProcess(0, in);
+  try
+  {
+    if (heights == nullptr || heights->GetNumberOfTuples() != input->GetNumberOfPoints())
+    {
+      throw std::invalid_argument(
+        "the input has no heights: name its point array by SetInputArrayToProcess");
+    }
+    if (heights->GetNumberOfComponents() != 1)
+    {
+      throw std::invalid_argument("the heights have " +
+        std::to_string(heights->GetNumberOfComponents()) + " components; give one a post");
+    }
+    if (!(this->RefractionCoefficient < 1.0))
+    {
+      throw std::invalid_argument("the refraction coefficient is " +
+        std::to_string(this->RefractionCoefficient) + "; give one below 1, 0.13 in usual air");
+    }
+    skyline::HorizonScene::Options options;
+    options.Settings.Method = static_cast<skyline::HorizonMethodKind>(this->Method);
+    options.Settings.Shape = static_cast<skyline::Surface>(this->Surface);
+    options.Settings.Tolerance = this->Tolerance * skyline::RadiansPerDegree;
+    options.Flat = this->Flat;
+    options.Refraction = this->RefractionCoefficient;
+    skyline::HorizonScene scene(input, heights, options);
+    scene.Progress = [this](double part) {
+      this->UpdateProgress(part);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+      return !this->CheckAbort();
+#else
+      return this->GetAbortExecute() == 0;
+#endif
+    };
+    output->ShallowCopy(input);
+    const bool finished = this->Compute(scene, output);
+    this->PrepareSeconds = scene.PrepareSeconds;
+    this->SearchSeconds = scene.SearchSeconds;
+    if (!finished)
+    {
+      output->Initialize();
+    }
+    return 1;
+  }
+  catch (const std::exception& reason)
+  {
+    output->Initialize();
+    vtkErrorMacro(<< reason.what());
+    return 0;
+  }
+}

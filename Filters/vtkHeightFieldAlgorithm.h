@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeightFieldAlgorithm
+ * @brief   what the filters on horizons of a height field have in common
+ *
+ * Input: a vtkImageData of one slice with one point scalar a post (SetInputArrayToProcess; the active
+ * scalars by default), metres; x points east, y north, row 0 is the south edge; at least 2 x 2
+ * posts. NaN and infinite posts are missing. A georeference in the field data (vtkHeightFieldReader)
+ * brings curvature, refraction, the spacing of every row and true north. Output: the input and the
+ * result arrays, float, NaN at missing posts. Results do not depend on the number of threads.
+ *
+ * Errors are reported by ErrorEvent in one line; the output then is empty.
+ */
+#ifndef vtkHeightFieldAlgorithm_h
+#define vtkHeightFieldAlgorithm_h
+
+#include "SkylineFiltersModule.h"
+#include "vtkImageAlgorithm.h"
+
+#include <string>
+
+namespace skyline
+{
+class HorizonScene;
+}
+class vtkImageData;
+
+class SKYLINEFILTERS_EXPORT vtkHeightFieldAlgorithm : public vtkImageAlgorithm
+{
+public:
+  vtkTypeMacro(vtkHeightFieldAlgorithm, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum MethodType
+  {
+    EXACT = 0, ///< every edge of the surface that can matter
+    FAST = 1,  ///< below the exact horizon by 0.2 degrees at most
+    SWEEP = 2  ///< Timonen & Westerholm 2010 as published, resampled: off by degrees at places
+  };
+  enum SurfaceType
+  {
+    TRIANGLES = 0, ///< each cell split from its (i, j) to its (i + 1, j + 1) post
+    BILINEAR = 1   ///< each cell a bilinear patch
+  };
+
+  ///@{
+  /// How horizons are found; default EXACT.
+  vtkSetClampMacro(Method, int, EXACT, SWEEP);
+  vtkGetMacro(Method, int);
+  void SetMethodToExact() { this->SetMethod(EXACT); }
+  void SetMethodToFast() { this->SetMethod(FAST); }
+  void SetMethodToSweep() { this->SetMethod(SWEEP); }
+  ///@}
+
+  ///@{
+  /// The surface through the posts; default TRIANGLES. SWEEP knows no other.
+  vtkSetClampMacro(Surface, int, TRIANGLES, BILINEAR);
+  vtkGetMacro(Surface, int);
+  void SetSurfaceToTriangles() { this->SetSurface(TRIANGLES); }
+  void SetSurfaceToBilinear() { this->SetSurface(BILINEAR); }
+  ///@}
+
+  ///@{
+  /// Leaves the body's curvature and refraction out; default off. Without a georeference the field
+  /// is flat anyway.
+  vtkSetMacro(Flat, bool);
+  vtkGetMacro(Flat, bool);
+  vtkBooleanMacro(Flat, bool);
+  ///@}
+
+  ///@{
+  /// Terrestrial refraction k: a post at distance d sinks by (1 - k) d^2 / 2R. Counts on the Earth
+  /// alone; default 0.13, any value below 1.
+  vtkSetMacro(RefractionCoefficient, double);
+  vtkGetMacro(RefractionCoefficient, double);
+  ///@}
+
+  ///@{
+  /// Degrees by which EXACT may fall short of the horizon, for speed; default 0, 0 to 90.
+  vtkSetClampMacro(Tolerance, double, 0.0, 90.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  /// Seconds that the last execution took: preparation of bounds, and search with its consumers.
+  vtkGetMacro(PrepareSeconds, double);
+  vtkGetMacro(SearchSeconds, double);
+
+protected:
+  vtkHeightFieldAlgorithm() = default;
+  ~vtkHeightFieldAlgorithm() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
+
+  /// Adds the filter's arrays to `output`, which holds the input's data. Returns false if aborted;
+  /// throws std::exception with a one-line reason.
+  virtual bool Compute(skyline::HorizonScene& scene, vtkImageData* output) = 0;
+
+  int Method = EXACT;
+  int Surface = TRIANGLES;
+  bool Flat = false;
+  double RefractionCoefficient = 0.13;
+  double Tolerance = 0.0;
+  double PrepareSeconds = 0.0;
+  double SearchSeconds = 0.0;
+
+private:
+  vtkHeightFieldAlgorithm(const vtkHeightFieldAlgorithm&) = delete;
+  void operator=(const vtkHeightFieldAlgorithm&) = delete;
+};
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeightFieldHorizon.h"
+
+#include "Azimuths.h"
+#include "HorizonScene.h"
+#include "StoreAccumulator.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkHeightFieldHorizon);
+
+void vtkHeightFieldHorizon::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfAzimuths: " << this->NumberOfAzimuths << "\n";
+}
+
+bool vtkHeightFieldHorizon::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+{
+  const std::vector<double> azimuths = skyline::EvenAzimuths(this->NumberOfAzimuths);
+  vtkFloatArray* horizon = scene.AddArray(output, "HorizonElevation", this->NumberOfAzimuths);
+  skyline::StoreAccumulator store(
+    scene.Posts().Columns, horizon->GetPointer(0), this->NumberOfAzimuths);
+  if (!scene.Run(azimuths, 0.0, store))
+  {
+    return false;
+  }
+  scene.BlankMissing(horizon);
+  return true;
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeightFieldSunShadow.h"
+
+#include "HorizonScene.h"
+#include "SunAccumulator.h"
+#include "SunField.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkHeightFieldSunShadow);
+
+void vtkHeightFieldSunShadow::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SunAzimuth: " << this->SunAzimuth << "\n"
+     << indent << "SunElevation: " << this->SunElevation << "\n"
+     << indent << "SunAngularRadius: " << this->SunAngularRadius << "\n"
+     << indent << "UseTime: " << this->UseTime << "\n"
+     << indent << "Time: " << this->Time << "\n"
+     << indent << "LimbDarkening: " << this->LimbDarkening << "\n"
+     << indent << "SearchedAzimuths: " << this->SearchedAzimuths << "\n";
+}
+
+bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+{
+  constexpr double radians = skyline::RadiansPerDegree;
+  const skyline::SunField sun = this->UseTime
+    ? skyline::SunField(scene.Place(), skyline::ParseUtcTime(this->Time), scene.MeanHeight())
+    : skyline::SunField::Constant(this->SunAzimuth, this->SunElevation, this->SunAngularRadius);
+  double firstAzimuth = 0.0;
+  double lastAzimuth = 0.0;
+  double least = 0.0;
+  double greatest = 0.0;
+  sun.AzimuthBounds(firstAzimuth, lastAzimuth);
+  sun.ElevationBounds(least, greatest);
+  std::vector<double> azimuths = skyline::SunAzimuths(firstAzimuth * radians,
+    lastAzimuth * radians, least * radians, greatest * radians, sun.Radius() * radians);
+  for (double& azimuth : azimuths)
+  {
+    azimuth *= skyline::DegreesPerRadian;
+  }
+  this->SearchedAzimuths = static_cast<int>(azimuths.size());
+
+  vtkFloatArray* visibility = scene.AddArray(output, "SunVisibility");
+  const skyline::PostBuffer buffer{ visibility->GetPointer(0), 1 };
+  const skyline::Grid& posts = scene.Posts();
+  const double darkening = this->LimbDarkening ? skyline::EddingtonLimbDarkening : 0.0;
+  const auto run = [&](skyline::SunAccumulator&& disc) {
+    return scene.Run(azimuths, 0.0, disc);
+  };
+  bool finished = false;
+  if (this->UseTime)
+  {
+    const auto directions = [&sun](std::ptrdiff_t row, std::ptrdiff_t column,
+                              std::ptrdiff_t count, float* x, float* y, float* z) {
+      sun.Row(row, column, count, x, y, z);
+    };
+    finished = run(skyline::SunAccumulator(
+      posts.Columns, posts.Rows, directions, sun.Radius() * radians, buffer, darkening));
+  }
+  else
+  {
+    const skyline::SunDisc disc{ this->SunAzimuth * radians, this->SunElevation * radians,
+      this->SunAngularRadius * radians };
+    finished =
+      run(skyline::SunAccumulator(posts.Columns, posts.Rows, disc, buffer, darkening));
+  }
+  if (finished)
+  {
+    scene.BlankMissing(visibility);
+  }
+  return finished;
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeightFieldSunShadow
+ * @brief   how much of the sun every post sees
+ *
+ * Adds `SunVisibility`: the lit fraction of the sun's disc above the horizon curve across its swath,
+ * 0 (full shadow) to 1. The sun is one direction for all posts, or, with UseTime, the sun of that
+ * time at the place of each post (needs a georeference). Only the swath of the sun is searched.
+ */
+#ifndef vtkHeightFieldSunShadow_h
+#define vtkHeightFieldSunShadow_h
+
+#include "vtkHeightFieldAlgorithm.h"
+
+#include <string>
+
+class SKYLINEFILTERS_EXPORT vtkHeightFieldSunShadow : public vtkHeightFieldAlgorithm
+{
+public:
+  static vtkHeightFieldSunShadow* New();
+  vtkTypeMacro(vtkHeightFieldSunShadow, vtkHeightFieldAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The sun's azimuth, degrees clockwise from grid north (any number of turns; default 315), and
+  /// its apparent elevation, -90 to 90 degrees (default 45). Unused with UseTime.
+  vtkSetMacro(SunAzimuth, double);
+  vtkGetMacro(SunAzimuth, double);
+  vtkSetMacro(SunElevation, double);
+  vtkGetMacro(SunElevation, double);
+  ///@}
+
+  ///@{
+  /// Angular radius of the disc, degrees, 0 (a point) to below 90; default 0.26645, the mean sun's.
+  /// With UseTime the radius follows from the sun's distance.
+  vtkSetMacro(SunAngularRadius, double);
+  vtkGetMacro(SunAngularRadius, double);
+  ///@}
+
+  ///@{
+  /// Take the sun of Time at each post's place; default off.
+  vtkSetMacro(UseTime, bool);
+  vtkGetMacro(UseTime, bool);
+  vtkBooleanMacro(UseTime, bool);
+  ///@}
+
+  ///@{
+  /// UTC as ISO 8601, for instance 2026-06-21T06:00Z; 1900 to 2100. Default empty.
+  vtkSetStdStringFromCharMacro(Time);
+  vtkGetCharFromStdStringMacro(Time);
+  ///@}
+
+  ///@{
+  /// Let the disc darken towards its limb (Eddington, u = 0.6); default off.
+  vtkSetMacro(LimbDarkening, bool);
+  vtkGetMacro(LimbDarkening, bool);
+  vtkBooleanMacro(LimbDarkening, bool);
+  ///@}
+
+  /// Azimuths searched by the last execution.
+  vtkGetMacro(SearchedAzimuths, int);
+
+protected:
+  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+
+  double SunAzimuth = 315.0;
+  double SunElevation = 45.0;
+  double SunAngularRadius = 0.26645;
+  bool UseTime = false;
+  std::string Time;
+  bool LimbDarkening = false;
+  int SearchedAzimuths = 0;
+};
+
+#endif

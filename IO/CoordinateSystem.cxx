@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CoordinateSystem.h"
+
+#include "Constants.h"
+#include "GdalErrors.h"
+#include "IoFailure.h"
+#include "LengthUnit.h"
+
+#include "vtkErrorCode.h"
+
+#include <cmath>
+#include <memory>
+
+namespace skyline
+{
+
+namespace
+{
+
+/// A body whose equatorial radius is this near to the Earth's (relative) is the Earth: ellipsoids
+/// of the Earth differ by 0.02 %, the next body, Venus, by 5 %.
+constexpr double EarthRadius = 6378137.0;
+constexpr double EarthRadiusTolerance = 0.01;
+
+/// Part of a pixel by which a raster's rounded numbers may carry a post over a pole.
+constexpr double PoleSlack = 1e-3;
+
+[[noreturn]] void Refuse(const std::string& file, const std::string& reason)
+{
+  throw IoFailure(vtkErrorCode::FileFormatError, "cannot use '" + file + "': " + reason);
+}
+
+std::string NameOf(const OGRSpatialReference& crs)
+{
+  const char* name = crs.GetName();
+  return name ? name : "unnamed";
+}
+
+std::string WktOf(const OGRSpatialReference& crs)
+{
+  const char* const options[] = { "FORMAT=WKT2_2019", "MULTILINE=NO", nullptr };
+  char* text = nullptr;
+  std::string wkt;
+  if (crs.exportToWkt(&text, options) == OGRERR_NONE && text)
+  {
+    wkt = text;
+  }
+  CPLFree(text);
+  return wkt;
+}
+
+/// The turn of 360 degrees that brings `longitude` next to `neighbour`.
+double Continued(double longitude, double neighbour)
+{
+  return longitude + 360.0 * std::round((neighbour - longitude) / 360.0);
+}
+
+} // namespace
+
+CoordinateSystem::CoordinateSystem(const OGRSpatialReference& crs, const std::string& file)
+  : File(file)
+  , Wkt(WktOf(crs))
+  , Horizontal(crs)
+{
+  if (this->Horizontal.IsCompound())
+  {
+    this->Horizontal.StripVertical();
+  }
+  this->Horizontal.DemoteTo2D(nullptr);
+  this->Horizontal.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+
+  this->Geographic = this->Horizontal.IsGeographic() != 0;
+  this->OnBody = this->Geographic || this->Horizontal.IsProjected() != 0;
+  if (!this->OnBody && !this->Horizontal.IsLocal())
+  {
+    Refuse(file,
+      "its CRS '" + NameOf(crs) +
+        "' is neither geographic nor projected; warp it to a map first (gdalwarp -t_srs)");
+  }
+  this->ReadAxes();
+  this->ReadUnits(crs);
+}
+
+void CoordinateSystem::ReadAxes()
+{
+  OGRAxisOrientation axes[2] = { OAO_Other, OAO_Other };
+  this->Horizontal.GetAxis(nullptr, 0, &axes[0]);
+  this->Horizontal.GetAxis(nullptr, 1, &axes[1]);
+  if (this->Geographic && (axes[0] == OAO_West || axes[1] == OAO_West))
+  {
+    Refuse(this->File,
+      "the longitudes of its CRS '" + NameOf(this->Horizontal) +
+        "' grow to the west; assign the CRS of the same body that counts to the east "
+        "(gdal_edit.py -a_srs)");
+  }
+  this->SouthWest = axes[0] == OAO_West && axes[1] == OAO_South;
+}
+
+void CoordinateSystem::ReadUnits(const OGRSpatialReference& whole)
+{
+  const char* name = nullptr;
+  if (this->Geographic)
+  {
+    this->Unit = this->Horizontal.GetAngularUnits(&name) * DegreesPerRadian;
+  }
+  else
+  {
+    this->Unit = this->Horizontal.GetLinearUnits(&name);
+  }
+  const std::string unit = name ? name : "";
+  double metres = 0.0;
+  // A factor of 1 under a name that is no length is what GDAL makes of a missing unit.
+  const bool nameless =
+    !this->Geographic && this->Unit == 1.0 && ReadUnitName(unit, metres) != UnitName::Length;
+  if (!(this->Unit > 0.0) || !std::isfinite(this->Unit) || nameless)
+  {
+    Refuse(this->File,
+      "its CRS '" + NameOf(this->Horizontal) + "' has the unit '" + unit +
+        "' of no known length; assign a CRS with a unit (gdal_edit.py -a_srs)");
+  }
+
+  // GDAL answers 1 for a CRS without a vertical part, so ask only where there is one.
+  if (whole.IsCompound() || whole.IsVertical())
+  {
+    this->VerticalUnit = whole.GetTargetLinearUnits("VERT_CS", &name);
+    if (!(this->VerticalUnit > 0.0) || !std::isfinite(this->VerticalUnit))
+    {
+      Refuse(this->File,
+        "the vertical part of its CRS '" + NameOf(whole) +
+          "' has a unit of no known length; assign a CRS with a unit (gdal_edit.py -a_srs)");
+    }
+  }
+}
+
+void CoordinateSystem::Place(Georeference& georeference) const
+{
+  georeference.Crs = this->Wkt;
+  if (!this->OnBody)
+  {
+    return;
+  }
+  OGRErr failed = OGRERR_NONE;
+  georeference.EquatorialRadius = this->Horizontal.GetSemiMajor(&failed);
+  if (failed != OGRERR_NONE || !(georeference.EquatorialRadius > 0.0))
+  {
+    Refuse(this->File,
+      "its CRS '" + NameOf(this->Horizontal) +
+        "' has no ellipsoid; assign a CRS with a datum (gdal_edit.py -a_srs)");
+  }
+  const double inverse = this->Horizontal.GetInvFlattening(&failed);
+  georeference.Flattening = inverse > 0.0 ? 1.0 / inverse : 0.0;
+  georeference.Earth =
+    std::abs(georeference.EquatorialRadius / EarthRadius - 1.0) < EarthRadiusTolerance;
+  this->FillLattice(georeference);
+}
+
+void CoordinateSystem::FillLattice(Georeference& georeference) const
+{
+  // The same ellipsoid without a datum: degrees from Greenwich (or the body's own zero meridian),
+  // and no datum shift, whatever units and meridian the CRS counts in.
+  OGRSpatialReference degrees;
+  degrees.SetGeogCS("own", "own", "own", georeference.EquatorialRadius,
+    georeference.Flattening > 0.0 ? 1.0 / georeference.Flattening : 0.0);
+  degrees.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+
+  constexpr int nodes = DefaultLatticeNodes;
+  const std::array<double, 6>& transform = georeference.GeoTransform;
+  const double pole = 90.0 / this->Unit;
+  std::vector<double> x, y;
+  for (int j = 0; j < nodes; ++j)
+  {
+    for (int i = 0; i < nodes; ++i)
+    {
+      const double column = i * static_cast<double>(georeference.Columns - 1) / (nodes - 1);
+      const double row = j * static_cast<double>(georeference.Rows - 1) / (nodes - 1);
+      x.push_back(transform[0] + (column + 0.5) * transform[1]);
+      y.push_back(
+        transform[3] + (static_cast<double>(georeference.Rows) - 0.5 - row) * transform[5]);
+      const double over = std::abs(y.back()) - pole;
+      if (this->Geographic && over > 0.0 && over < PoleSlack * std::abs(transform[5]))
+      {
+        y.back() = std::copysign(pole, y.back());
+      }
+    }
+  }
+
+  const std::vector<double> mapX = x;
+  const std::vector<double> mapY = y;
+  std::vector<int> placed(x.size(), 0);
+  GdalErrors errors;
+  const std::unique_ptr<OGRCoordinateTransformation> toDegrees(
+    OGRCreateCoordinateTransformation(&this->Horizontal, &degrees));
+  if (!toDegrees)
+  {
+    Refuse(this->File,
+      "its CRS '" + NameOf(this->Horizontal) + "' gives no longitudes: " + errors.First());
+  }
+  toDegrees->Transform(static_cast<int>(x.size()), x.data(), y.data(), nullptr, placed.data());
+
+  for (std::size_t node = 0; node < x.size(); ++node)
+  {
+    if (!placed[node] || !std::isfinite(x[node]) || !(std::abs(y[node]) <= 90.0))
+    {
+      Refuse(this->File,
+        "the point (" + std::to_string(mapX[node]) + ", " + std::to_string(mapY[node]) +
+          ") has no place in its CRS '" + NameOf(this->Horizontal) +
+          "'; cut the raster to where the map is defined (gdalwarp -te) or correct its CRS");
+    }
+    if (node > 0)
+    {
+      const bool firstOfRow = node % nodes == 0;
+      x[node] = Continued(x[node], x[firstOfRow ? node - nodes : node - 1]);
+    }
+  }
+  georeference.LatticeColumns = nodes;
+  georeference.LatticeRows = nodes;
+  georeference.Longitude = std::move(x);
+  georeference.Latitude = std::move(y);
+}
+
+} // namespace skyline

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a coordinate reference system says about metres, directions and the body under the posts.
+#ifndef skyline_CoordinateSystem_h
+#define skyline_CoordinateSystem_h
+
+#include "Georeference.h"
+
+#include <ogr_spatialref.h>
+
+#include <string>
+
+namespace skyline
+{
+
+/// A CRS as the reader needs it. Every message names `file`.
+class CoordinateSystem
+{
+public:
+  /// Metres without a place: a raster with no CRS.
+  CoordinateSystem() = default;
+
+  /// Takes the horizontal part of a CRS: geographic, projected, or local with a unit of length.
+  /// Throws IoFailure for any other kind, for a unit that is not known, and for longitudes that
+  /// grow to the west.
+  CoordinateSystem(const OGRSpatialReference& crs, const std::string& file);
+
+  bool IsGeographic() const { return this->Geographic; }
+
+  /// Metres in one unit of x and y; degrees in one where the CRS is geographic.
+  double GetUnit() const { return this->Unit; }
+
+  /// Metres in one unit of height by the CRS's vertical part; 0 where it has none.
+  double GetVerticalUnit() const { return this->VerticalUnit; }
+
+  /// True where x grows to the west and y to the south (South African maps).
+  bool PointsSouthWest() const { return this->SouthWest; }
+
+  /// Fills CRS, body and lattice of a georeference that has its geotransform and post counts. A CRS
+  /// without a body only gives its name. Throws IoFailure where posts have no place on the body.
+  void Place(Georeference& georeference) const;
+
+private:
+  void ReadAxes();
+  void ReadUnits(const OGRSpatialReference& whole);
+  void FillLattice(Georeference& georeference) const;
+
+  std::string File;
+  std::string Wkt; ///< of the whole CRS, vertical part included
+  OGRSpatialReference Horizontal;
+  bool Geographic = false;
+  bool OnBody = false;
+  bool SouthWest = false;
+  double Unit = 1.0;
+  double VerticalUnit = 0.0;
+};
+
+} // namespace skyline
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GdalErrors.h"
+
+#include "IoFailure.h"
+
+#include <gdal.h>
+
+#include <mutex>
+
+namespace skyline
+{
+
+GdalErrors::GdalErrors()
+{
+  static std::once_flag registered;
+  std::call_once(registered, [] { GDALAllRegister(); });
+  CPLPushErrorHandlerEx(&GdalErrors::Keep, this);
+}
+
+GdalErrors::~GdalErrors()
+{
+  CPLPopErrorHandler();
+}
+
+std::string GdalErrors::First(const std::string& otherwise) const
+{
+  return this->Message.empty() ? otherwise : this->Message;
+}
+
+void GdalErrors::Clear()
+{
+  this->Failed = false;
+  this->Message.clear();
+}
+
+void GdalErrors::Keep(CPLErr kind, CPLErrorNum, const char* message)
+{
+  auto* self = static_cast<GdalErrors*>(CPLGetErrorHandlerUserData());
+  if (kind < CE_Failure || !self)
+  {
+    return;
+  }
+  self->Failed = true;
+  if (self->Message.empty() && message)
+  {
+    self->Message = FirstLine(message);
+  }
+}
+
+} // namespace skyline

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// GDAL's complaints, kept instead of printed.
+#ifndef skyline_GdalErrors_h
+#define skyline_GdalErrors_h
+
+#include <cpl_error.h>
+
+#include <string>
+
+namespace skyline
+{
+
+/// While one lives, GDAL prints nothing from this thread, and its first failure is remembered: the
+/// later ones only say that something did not work. The first one made registers GDAL's drivers.
+class GdalErrors
+{
+public:
+  GdalErrors();
+  ~GdalErrors();
+  GdalErrors(const GdalErrors&) = delete;
+  GdalErrors& operator=(const GdalErrors&) = delete;
+
+  /// True once GDAL reported a failure; warnings do not count.
+  bool Any() const { return this->Failed; }
+
+  /// The first line of the first failure, or `otherwise` when GDAL gave no words.
+  std::string First(const std::string& otherwise = "GDAL gives no reason") const;
+
+  /// Forgets what happened so far.
+  void Clear();
+
+private:
+  static void CPL_STDCALL Keep(CPLErr kind, CPLErrorNum number, const char* message);
+
+  bool Failed = false;
+  std::string Message;
+};
+
+} // namespace skyline
+
+#endif

@@ -1,0 +1,509 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GeoTiffFile.h"
+
+#include "AtomicFile.h"
+#include "CheckedVsi.h"
+#include "GdalErrors.h"
+#include "vtkSkylineGeoreference.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkImageData.h"
+
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <type_traits>
+
+namespace skyline
+{
+
+namespace
+{
+
+/// Rasters with more posts than this along both sides are tiled.
+constexpr int TiledFrom = 512;
+constexpr int TileSize = 256;
+
+/// Bytes of a strip in a file without tiles, and bytes handed to GDAL in one go.
+constexpr int StripBytes = 64 * 1024;
+constexpr double ChunkBytes = 32.0 * 1024 * 1024;
+
+/// Nodata values beyond this cannot be an angle, a fraction or an irradiance.
+constexpr double LargestResult = 1000.0;
+constexpr double DefaultNodata = -9999.0;
+
+GDALDataType TypeOf(vtkDataArray* array)
+{
+  switch (array->GetDataType())
+  {
+    case VTK_UNSIGNED_CHAR:
+      return GDT_Byte;
+    case VTK_CHAR:
+    case VTK_SIGNED_CHAR:
+    case VTK_SHORT:
+      return GDT_Int16;
+    case VTK_UNSIGNED_SHORT:
+      return GDT_UInt16;
+    case VTK_INT:
+      return GDT_Int32;
+    case VTK_UNSIGNED_INT:
+      return GDT_UInt32;
+    case VTK_FLOAT:
+      return GDT_Float32;
+    default:
+      return GDT_Float64; // 64-bit integers too: few programs read such bands
+  }
+}
+
+/// Which of some numbers an array has, and whether posts are missing.
+struct Census
+{
+  std::vector<double> Candidates;
+  std::vector<bool> Taken;
+  bool Missing = false;
+
+  template <typename ArrayT>
+  void operator()(ArrayT* array)
+  {
+    for (const auto value : vtk::DataArrayValueRange(array))
+    {
+      const double number = static_cast<double>(value);
+      if (!std::isfinite(number))
+      {
+        this->Missing = true;
+        continue;
+      }
+      for (std::size_t i = 0; i < this->Candidates.size(); ++i)
+      {
+        if (number == this->Candidates[i])
+        {
+          this->Taken[i] = true;
+        }
+      }
+    }
+  }
+};
+
+/// Copies rows of one array's components into a band-sequential buffer, top row first.
+template <typename T>
+struct RowCopier
+{
+  T* Buffer = nullptr;
+  std::vector<int> Components; ///< the array's components that are bands here, in order
+  std::size_t BandStride = 0;
+  int Columns = 0;
+  int TopRow = 0; ///< of the image, counted from the south
+  int Count = 0;  ///< rows
+  T Nodata = T(0);
+
+  template <typename ArrayT>
+  void operator()(ArrayT* array) const
+  {
+    const auto tuples = vtk::DataArrayTupleRange(array);
+    for (int line = 0; line < this->Count; ++line)
+    {
+      const vtkIdType first = static_cast<vtkIdType>(this->TopRow - line) * this->Columns;
+      T* row = this->Buffer + static_cast<std::size_t>(line) * this->Columns;
+      for (int column = 0; column < this->Columns; ++column)
+      {
+        const auto tuple = tuples[first + column];
+        T* to = row + column;
+        for (const int component : this->Components)
+        {
+          const auto value = static_cast<T>(tuple[component]);
+          *to = std::isfinite(value) ? value : this->Nodata;
+          to += this->BandStride;
+        }
+      }
+    }
+  }
+};
+
+template <typename Worker>
+void Dispatch(vtkDataArray* array, Worker& worker)
+{
+  if (!vtkArrayDispatch::Dispatch::Execute(array, worker))
+  {
+    worker(array);
+  }
+}
+
+/// GDAL's progress function over our own, which may throw; the exception waits in here.
+struct ProgressBridge
+{
+  const std::function<void(double)>& Report;
+  double Begin = 0.0;
+  std::exception_ptr Thrown;
+
+  static int CPL_STDCALL Call(double part, const char*, void* data)
+  {
+    auto* self = static_cast<ProgressBridge*>(data);
+    try
+    {
+      self->Report(self->Begin + (1.0 - self->Begin) * part);
+      return TRUE;
+    }
+    catch (...)
+    {
+      self->Thrown = std::current_exception();
+      return FALSE;
+    }
+  }
+};
+
+/// The CRS of a WKT, taken from the register where it says that it is there: WKT leaves out the codes
+/// of a compound CRS's parts, and without them GDAL 3.10 loses the vertical unit.
+bool ReadCrs(const std::string& wkt, OGRSpatialReference& crs)
+{
+  const GdalErrors quiet;
+  if (crs.SetFromUserInput(wkt.c_str()) != OGRERR_NONE)
+  {
+    return false;
+  }
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  const char* authority = crs.GetAuthorityName(nullptr);
+  const char* code = crs.GetAuthorityCode(nullptr);
+  OGRSpatialReference registered;
+  if (authority && code &&
+    registered.SetFromUserInput((std::string(authority) + ":" + code).c_str()) == OGRERR_NONE)
+  {
+    registered.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    crs = registered.IsSame(&crs) ? registered : crs;
+  }
+  return true;
+}
+
+/// One file on its way.
+class GeoTiffWriter
+{
+public:
+  GeoTiffWriter(const GeoTiffContent& content, const AtomicFile& file,
+    const std::function<void(double)>& report)
+    : Content(content)
+    , File(file)
+    , Writes(file.GetPath())
+    , Report(report)
+  {
+    for (const BandSource& band : content.Bands)
+    {
+      this->Type = this->Type == GDT_Unknown ? TypeOf(band.Array)
+                                             : GDALDataTypeUnion(this->Type, TypeOf(band.Array));
+    }
+    this->Real = this->Type == GDT_Float32 || this->Type == GDT_Float64;
+    const std::size_t bands = content.Bands.size();
+    this->Color = content.Picture && (bands == 3 || bands == 4);
+  }
+
+  void Write()
+  {
+    this->ChooseNodata();
+    const bool cloud = this->Content.CloudOptimized;
+    this->ProgressShare = cloud ? 0.5 : 1.0;
+    const std::string path =
+      CheckedVsi::NameOf(cloud ? this->File.GetIntermediatePath() : this->File.GetPath());
+    this->Create(path, !cloud);
+    this->Describe();
+    if (GDALGetDataTypeSizeBytes(this->Type) <= 2 || this->Type == GDT_Float32)
+    {
+      this->WriteBands<float>(GDT_Float32);
+    }
+    else
+    {
+      this->WriteBands<double>(GDT_Float64);
+    }
+    this->Close();
+    if (cloud)
+    {
+      this->Optimize(path);
+    }
+  }
+
+private:
+  struct Closer
+  {
+    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+  };
+
+  /// Throws if a write failed, which GDAL is not told, or GDAL complained, which need not show in
+  /// a return value.
+  void Check(bool good) const
+  {
+    if (const int error = this->Writes.GetError())
+    {
+      this->File.Fail(error);
+    }
+    if (!good || this->Errors.Any())
+    {
+      this->File.Fail(this->Errors.First());
+    }
+  }
+
+  GDALDriver* Driver(const char* name) const
+  {
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(name);
+    if (!driver)
+    {
+      this->File.Fail("this GDAL has no " + std::string(name) + " driver");
+    }
+    return driver;
+  }
+
+  void ChooseNodata()
+  {
+    if (!this->Real)
+    {
+      return;
+    }
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    Census census;
+    if (this->Content.HasNodata && std::abs(this->Content.Nodata) > LargestResult)
+    {
+      const bool narrow = this->Type == GDT_Float32;
+      const double limit = std::numeric_limits<float>::max();
+      if (!narrow)
+      {
+        census.Candidates.push_back(this->Content.Nodata);
+      }
+      else if (std::abs(this->Content.Nodata) <= limit)
+      {
+        census.Candidates.push_back(static_cast<double>(static_cast<float>(this->Content.Nodata)));
+      }
+    }
+    census.Candidates.push_back(DefaultNodata);
+    census.Taken.assign(census.Candidates.size(), false);
+    vtkDataArray* counted = nullptr;
+    for (const BandSource& band : this->Content.Bands)
+    {
+      if (band.Array != counted)
+      {
+        counted = band.Array;
+        Dispatch(counted, census);
+      }
+    }
+
+    this->Nodata = nan;
+    const bool asked = this->Content.HasNodata && std::isnan(this->Content.Nodata);
+    for (std::size_t i = census.Candidates.size(); !asked && i-- > 0;)
+    {
+      this->Nodata = census.Taken[i] ? this->Nodata : census.Candidates[i];
+    }
+    this->DeclareNodata = census.Missing || this->Content.HasNodata;
+  }
+
+  void Create(const std::string& path, bool compress)
+  {
+    const int columns = this->Content.Columns;
+    const int rows = this->Content.Rows;
+    CPLStringList options;
+    options.SetNameValue("INTERLEAVE", this->Color ? "PIXEL" : "BAND");
+    options.SetNameValue("BIGTIFF", "IF_SAFER");
+    options.SetNameValue("NUM_THREADS", "ALL_CPUS");
+    if (this->Color)
+    {
+      options.SetNameValue("PHOTOMETRIC", "RGB");
+      options.SetNameValue("ALPHA", this->Content.Bands.size() == 4 ? "YES" : "NO");
+    }
+    if (compress)
+    {
+      options.SetNameValue("COMPRESS", "DEFLATE");
+      options.SetNameValue("PREDICTOR", this->Real ? "3" : "2");
+    }
+    if (columns > TiledFrom && rows > TiledFrom)
+    {
+      options.SetNameValue("TILED", "YES");
+      options.SetNameValue("BLOCKXSIZE", std::to_string(TileSize).c_str());
+      options.SetNameValue("BLOCKYSIZE", std::to_string(TileSize).c_str());
+    }
+    else
+    {
+      const int bytes = columns * GDALGetDataTypeSizeBytes(this->Type);
+      const int strip = std::clamp(StripBytes / bytes, 1, rows);
+      options.SetNameValue("BLOCKYSIZE", std::to_string(strip).c_str());
+    }
+    this->Dataset.reset(this->Driver("GTiff")->Create(path.c_str(), columns, rows,
+      static_cast<int>(this->Content.Bands.size()), this->Type, options.List()));
+    this->Check(this->Dataset != nullptr);
+  }
+
+  void Describe()
+  {
+    const Georeference& place = this->Content.Place;
+    OGRSpatialReference crs;
+    if (!place.Crs.empty())
+    {
+      if (!ReadCrs(place.Crs, crs))
+      {
+        this->File.Fail("the CRS of its field data is no CRS that PROJ knows");
+      }
+      this->Check(this->Dataset->SetSpatialRef(&crs) == CE_None);
+    }
+    if (place.HasGeoTransform)
+    {
+      std::array<double, 6> transform = place.GeoTransform;
+      this->Check(this->Dataset->SetGeoTransform(transform.data()) == CE_None);
+    }
+    // Without a unit of its own a band would get that of the CRS's vertical part.
+    const std::string noUnit = crs.IsCompound() ? "1" : "";
+    for (std::size_t i = 0; i < this->Content.Bands.size(); ++i)
+    {
+      const BandSource& source = this->Content.Bands[i];
+      GDALRasterBand* band = this->Dataset->GetRasterBand(static_cast<int>(i) + 1);
+      if (!this->Color || !source.Description.empty())
+      {
+        band->SetDescription(source.Description.c_str());
+      }
+      const std::string& unit = source.Unit.empty() ? noUnit : source.Unit;
+      this->Check(unit.empty() || band->SetUnitType(unit.c_str()) == CE_None);
+      this->Check(!this->DeclareNodata || band->SetNoDataValue(this->Nodata) == CE_None);
+    }
+  }
+
+  template <typename T>
+  void WriteBands(GDALDataType bufferType)
+  {
+    const int columns = this->Content.Columns;
+    const int rows = this->Content.Rows;
+    const int bands = static_cast<int>(this->Content.Bands.size());
+    int blockColumns = 1, blockRows = 1;
+    this->Dataset->GetRasterBand(1)->GetBlockSize(&blockColumns, &blockRows);
+
+    // As many whole rows of blocks as fit, of all bands; else one row of blocks of some bands.
+    const double blockBytes = static_cast<double>(columns) * blockRows * sizeof(T);
+    const int group = static_cast<int>(std::clamp(ChunkBytes / blockBytes, 1.0, double(bands)));
+    const auto blocks =
+      static_cast<std::int64_t>(std::clamp(ChunkBytes / (blockBytes * group), 1.0, 1e6));
+    const int chunk = static_cast<int>(std::min<std::int64_t>(blocks * blockRows, rows));
+    const std::size_t bandStride = static_cast<std::size_t>(columns) * chunk;
+    std::vector<T> buffer(bandStride * static_cast<std::size_t>(group));
+
+    for (int row = 0; row < rows; row += chunk)
+    {
+      const int count = std::min(chunk, rows - row);
+      for (int first = 0; first < bands; first += group)
+      {
+        const int groupBands = std::min(group, bands - first);
+        this->Gather(buffer.data(), bandStride, row, count, first, groupBands);
+        std::vector<int> numbers;
+        for (int i = 0; i < groupBands; ++i)
+        {
+          numbers.push_back(first + i + 1);
+        }
+        const CPLErr failed = this->Dataset->RasterIO(GF_Write, 0, row, columns, count,
+          buffer.data(), columns, count, bufferType, groupBands, numbers.data(), sizeof(T),
+          static_cast<GSpacing>(sizeof(T)) * columns, static_cast<GSpacing>(sizeof(T) * bandStride),
+          nullptr);
+        this->Check(failed == CE_None);
+        const double done = row + count * static_cast<double>(first + groupBands) / bands;
+        this->Report(this->ProgressShare * done / rows);
+      }
+    }
+  }
+
+  template <typename T>
+  void Gather(T* buffer, std::size_t bandStride, int row, int count, int firstBand, int bands) const
+  {
+    for (int i = 0; i < bands;)
+    {
+      // Neighbouring bands of one array go together: the array is walked once.
+      const auto& sources = this->Content.Bands;
+      vtkDataArray* array = sources[static_cast<std::size_t>(firstBand + i)].Array;
+      RowCopier<T> copier;
+      copier.Buffer = buffer + static_cast<std::size_t>(i) * bandStride;
+      copier.BandStride = bandStride;
+      copier.Columns = this->Content.Columns;
+      copier.TopRow = this->Content.Rows - 1 - row;
+      copier.Count = count;
+      copier.Nodata = static_cast<T>(this->Nodata);
+      for (; i < bands && sources[static_cast<std::size_t>(firstBand + i)].Array == array; ++i)
+      {
+        copier.Components.push_back(sources[static_cast<std::size_t>(firstBand + i)].Component);
+      }
+      Dispatch(array, copier);
+    }
+  }
+
+  void Close()
+  {
+    this->Dataset->FlushCache(false);
+    this->Dataset.reset();
+    this->Check(true);
+  }
+
+  void Optimize(const std::string& path)
+  {
+    const std::unique_ptr<GDALDataset, Closer> source(
+      GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR));
+    this->Check(source != nullptr);
+    CPLStringList options;
+    options.SetNameValue("COMPRESS", "DEFLATE");
+    options.SetNameValue("PREDICTOR", "YES");
+    options.SetNameValue("BIGTIFF", "IF_SAFER");
+    options.SetNameValue("NUM_THREADS", "ALL_CPUS");
+    options.SetNameValue("OVERVIEW_RESAMPLING", "AVERAGE");
+    const std::function<void(double)> report = [this](double part)
+    {
+      this->Check(true);
+      this->Report(part);
+    };
+    ProgressBridge progress{ report, this->ProgressShare, nullptr };
+    const std::string target = CheckedVsi::NameOf(this->File.GetPath());
+    this->Dataset.reset(this->Driver("COG")->CreateCopy(
+      target.c_str(), source.get(), FALSE, options.List(), &ProgressBridge::Call, &progress));
+    if (progress.Thrown)
+    {
+      std::rethrow_exception(progress.Thrown);
+    }
+    this->Check(this->Dataset != nullptr);
+    this->Close();
+  }
+
+  GdalErrors Errors; // first, so that closing the file is heard
+  const GeoTiffContent& Content;
+  const AtomicFile& File;
+  CheckedVsi Writes;
+  const std::function<void(double)>& Report;
+  std::unique_ptr<GDALDataset, Closer> Dataset;
+  GDALDataType Type = GDT_Unknown;
+  bool Real = false;
+  bool Color = false;
+  bool DeclareNodata = false;
+  double Nodata = std::numeric_limits<double>::quiet_NaN();
+  double ProgressShare = 1.0;
+};
+
+} // namespace
+
+GeoTiffContent ContentOf(vtkImageData* image)
+{
+  GeoTiffContent content;
+  content.Columns = image->GetDimensions()[0];
+  content.Rows = image->GetDimensions()[1];
+  content.HasNodata = LoadNodataValue(image, content.Nodata);
+  content.Place = LoadGeoreference(image);
+  if (content.Place.Columns != content.Columns || content.Place.Rows != content.Rows)
+  {
+    throw std::invalid_argument("the georeference is for " + std::to_string(content.Place.Columns) +
+      " x " + std::to_string(content.Place.Rows) + " posts, the input has " +
+      std::to_string(content.Columns) + " x " + std::to_string(content.Rows) +
+      "; crop by the reader's extent");
+  }
+  return content;
+}
+
+void WriteGeoTiff(
+  const GeoTiffContent& content, const AtomicFile& file, const std::function<void(double)>& report)
+{
+  GeoTiffWriter(content, file, report).Write();
+}
+
+} // namespace skyline

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Why a file could not be read or written, on its way from the file code to the VTK class.
+#ifndef skyline_IoFailure_h
+#define skyline_IoFailure_h
+
+#include <stdexcept>
+#include <string>
+
+namespace skyline
+{
+
+/// A one-line reason that names the file, the value and the cure, and a vtkErrorCode.
+class IoFailure : public std::runtime_error
+{
+public:
+  IoFailure(unsigned long code, const std::string& reason)
+    : std::runtime_error(reason)
+    , Code(code)
+  {
+  }
+
+  unsigned long GetCode() const { return this->Code; }
+
+private:
+  unsigned long Code;
+};
+
+/// Someone asked to stop (AbortExecute): no error, and no result.
+class IoAborted : public std::runtime_error
+{
+public:
+  IoAborted()
+    : std::runtime_error("aborted")
+  {
+  }
+};
+
+/// The text up to its first line break.
+inline std::string FirstLine(const std::string& text)
+{
+  return text.substr(0, text.find_first_of("\r\n"));
+}
+
+} // namespace skyline
+
+#endif

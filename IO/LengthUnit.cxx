@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LengthUnit.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstring>
+
+namespace skyline
+{
+
+namespace
+{
+
+struct NamedUnit
+{
+  const char* Name; ///< as Normalise spells it
+  double Metres;    ///< 0: a word for "not known"
+};
+
+constexpr std::array<NamedUnit, 28> NamedUnits{ {
+  { "m", 1.0 },
+  { "metre", 1.0 },
+  { "mtr", 1.0 },
+  { "ft", MetresPerFoot },
+  { "foot", MetresPerFoot },
+  { "intft", MetresPerFoot },
+  { "ftint", MetresPerFoot },
+  { "internationalfoot", MetresPerFoot },
+  { "footinternational", MetresPerFoot },
+  { "usft", MetresPerSurveyFoot },
+  { "ftus", MetresPerSurveyFoot },
+  { "sft", MetresPerSurveyFoot },
+  { "usfoot", MetresPerSurveyFoot },
+  { "footus", MetresPerSurveyFoot },
+  { "surveyfoot", MetresPerSurveyFoot },
+  { "ussurveyfoot", MetresPerSurveyFoot },
+  { "footussurvey", MetresPerSurveyFoot },
+  { "km", 1000.0 },
+  { "kilometre", 1000.0 },
+  { "dm", 0.1 },
+  { "decimetre", 0.1 },
+  { "cm", 0.01 },
+  { "centimetre", 0.01 },
+  { "mm", 0.001 },
+  { "", 0.0 },
+  { "unknown", 0.0 },
+  { "none", 0.0 },
+  { "other", 0.0 },
+} };
+
+void Replace(std::string& text, const std::string& from, const std::string& to)
+{
+  const std::size_t at = text.find(from);
+  if (at != std::string::npos)
+  {
+    text.replace(at, from.size(), to);
+  }
+}
+
+/// Small letters and digits only, one spelling, one number.
+std::string Normalise(const std::string& name)
+{
+  std::string plain;
+  for (const char c : name)
+  {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte))
+    {
+      plain += static_cast<char>(std::tolower(byte));
+    }
+    else if (!std::isspace(byte) && !std::strchr("-_.,()[]", c))
+    {
+      plain += '?'; // such as a degree or percent sign: not to be overlooked
+    }
+  }
+  Replace(plain, "metres", "metre");
+  Replace(plain, "meters", "metre");
+  Replace(plain, "meter", "metre");
+  Replace(plain, "feet", "foot");
+  return plain;
+}
+
+const NamedUnit* FindUnit(const std::string& name)
+{
+  const std::string plain = Normalise(name);
+  const auto* const unit = std::find_if(NamedUnits.begin(), NamedUnits.end(),
+    [&](const NamedUnit& candidate) { return plain == candidate.Name; });
+  return unit == NamedUnits.end() ? nullptr : unit;
+}
+
+} // namespace
+
+UnitName ReadUnitName(const std::string& name, double& metres)
+{
+  const NamedUnit* unit = FindUnit(name);
+  if (!unit)
+  {
+    // "metres above mean sea level"
+    const std::size_t begin = name.find_first_not_of(" \t");
+    unit = FindUnit(name.substr(begin, name.find_first_of(" \t", begin) - begin));
+  }
+  if (!unit)
+  {
+    return UnitName::Unknown;
+  }
+  if (unit->Metres == 0.0)
+  {
+    return UnitName::Absent;
+  }
+  metres = unit->Metres;
+  return UnitName::Length;
+}
+
+} // namespace skyline

@@ -1,0 +1,458 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RasterSource.h"
+
+#include "IoFailure.h"
+#include "LengthUnit.h"
+#include "RowSpacing.h"
+
+#include "vtkErrorCode.h"
+#include "vtkSetGet.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+namespace skyline
+{
+
+namespace
+{
+
+/// Bytes read from the file in one go; whole rows of blocks, so at least one of those.
+constexpr double StripBytes = 4.0 * 1024 * 1024;
+
+/// Part of a pixel by which rotation may move the raster's far corner: rounding, not rotation.
+constexpr double RotationSlack = 1e-3;
+
+/// A nodata value beyond this is "the lowest float" of some program, often printed with six digits.
+constexpr double HugeNodata = 1e30;
+constexpr double HugeNodataTolerance = 1e-5;
+
+/// VTK's type for the values of a band, and whether float holds each of them exactly.
+struct BandType
+{
+  int VtkType = VTK_VOID; ///< VTK_VOID: not a number on the real line
+  bool FitsFloat = false;
+};
+
+BandType TypeOf(GDALDataType type)
+{
+  switch (type)
+  {
+    case GDT_Byte:
+      return { VTK_UNSIGNED_CHAR, true };
+#if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 7, 0)
+    case GDT_Int8:
+      return { VTK_SIGNED_CHAR, true };
+#endif
+    case GDT_UInt16:
+      return { VTK_UNSIGNED_SHORT, true };
+    case GDT_Int16:
+      return { VTK_SHORT, true };
+    case GDT_UInt32:
+      return { VTK_UNSIGNED_INT, false };
+    case GDT_Int32:
+      return { VTK_INT, false };
+    case GDT_UInt64:
+      return { VTK_UNSIGNED_LONG_LONG, false };
+    case GDT_Int64:
+      return { VTK_LONG_LONG, false };
+#if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 11, 0)
+    case GDT_Float16:
+#endif
+    case GDT_Float32:
+      return { VTK_FLOAT, true };
+    case GDT_Float64:
+      return { VTK_DOUBLE, false };
+    default:
+      return {};
+  }
+}
+
+GDALDataType GdalTypeOf(int vtkType)
+{
+  switch (vtkType)
+  {
+    case VTK_UNSIGNED_CHAR:
+      return GDT_Byte;
+#if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 7, 0)
+    case VTK_SIGNED_CHAR:
+      return GDT_Int8;
+#endif
+    case VTK_UNSIGNED_SHORT:
+      return GDT_UInt16;
+    case VTK_SHORT:
+      return GDT_Int16;
+    case VTK_UNSIGNED_INT:
+      return GDT_UInt32;
+    case VTK_INT:
+      return GDT_Int32;
+    case VTK_UNSIGNED_LONG_LONG:
+      return GDT_UInt64;
+    case VTK_LONG_LONG:
+      return GDT_Int64;
+    case VTK_FLOAT:
+      return GDT_Float32;
+    default:
+      return GDT_Float64;
+  }
+}
+
+} // namespace
+
+RasterSource::RasterSource(const std::string& file, int band)
+  : File(file)
+{
+  this->Open(band);
+  this->ReadTransform();
+  this->ReadPlace();
+  this->ReadValues();
+}
+
+void RasterSource::Refuse(const std::string& reason) const
+{
+  throw IoFailure(vtkErrorCode::FileFormatError, "cannot use '" + this->File + "': " + reason);
+}
+
+void RasterSource::Open(int band)
+{
+  VSIStatBufL status;
+  const bool found = VSIStatL(this->File.c_str(), &status) == 0;
+  this->Dataset.reset(GDALDataset::Open(
+    this->File.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+  if (!this->Dataset)
+  {
+    const unsigned long code =
+      found ? vtkErrorCode::UnrecognizedFileTypeError : vtkErrorCode::FileNotFoundError;
+    throw IoFailure(code,
+      "cannot read '" + this->File + "': " + this->Errors.First() +
+        (found ? "; give a raster that gdalinfo can open" : "; check the path"));
+  }
+
+  const int bands = this->Dataset->GetRasterCount();
+  if (bands == 0)
+  {
+    char** parts = this->Dataset->GetMetadata("SUBDATASETS");
+    const char* first = CSLFetchNameValue(parts, "SUBDATASET_1_NAME");
+    this->Refuse(first ? "it holds " + std::to_string(CSLCount(parts) / 2) +
+          " rasters; name one, such as '" + first + "'"
+                       : std::string("it has no raster band; give a file with heights"));
+  }
+  if (band < 1 || band > bands)
+  {
+    this->Refuse("it has no band " + std::to_string(band) + "; choose " +
+      (bands == 1 ? std::string("band 1") : "a band from 1 to " + std::to_string(bands)));
+  }
+  this->Band = this->Dataset->GetRasterBand(band);
+  this->Columns = this->Dataset->GetRasterXSize();
+  this->Rows = this->Dataset->GetRasterYSize();
+  if (this->Columns < 2 || this->Rows < 2)
+  {
+    this->Refuse(std::to_string(this->Columns) + " x " + std::to_string(this->Rows) +
+      " posts make no surface; give at least 2 x 2");
+  }
+}
+
+void RasterSource::ReadTransform()
+{
+  this->Whole.Columns = this->Columns;
+  this->Whole.Rows = this->Rows;
+
+  const OGRSpatialReference* crs = this->Dataset->GetSpatialRef();
+  const bool hasCrs = crs && !crs->IsEmpty();
+  std::array<double, 6> transform{ { 0, 1, 0, 0, 0, 1 } };
+  const std::array<double, 6> none = transform;
+  const bool found =
+    this->Dataset->GetGeoTransform(transform.data()) == CE_None && (hasCrs || transform != none);
+  if (!found)
+  {
+    if (this->Dataset->GetGCPCount() > 0)
+    {
+      this->Refuse(
+        "it is placed by ground control points; warp it to a north-up raster (gdalwarp)");
+    }
+    if (hasCrs)
+    {
+      this->Refuse("it has a CRS but no geotransform; give its corners (gdal_edit.py -a_ullr)");
+    }
+    return;
+  }
+
+  for (const double number : transform)
+  {
+    if (!std::isfinite(number))
+    {
+      this->Refuse(
+        "its geotransform has a number that is not finite; correct it (gdal_edit.py -a_ullr)");
+    }
+  }
+  if (std::abs(transform[2]) * this->Rows > RotationSlack * std::abs(transform[1]) ||
+    std::abs(transform[4]) * this->Columns > RotationSlack * std::abs(transform[5]))
+  {
+    this->Refuse("it is rotated or sheared (geotransform " + std::to_string(transform[1]) + ", " +
+      std::to_string(transform[2]) + ", " + std::to_string(transform[4]) + ", " +
+      std::to_string(transform[5]) + "); warp it to a north-up raster (gdalwarp)");
+  }
+  if (transform[1] == 0.0 || transform[5] == 0.0)
+  {
+    this->Refuse("its pixels have no size; correct it (gdal_edit.py -a_ullr)");
+  }
+  transform[2] = 0.0;
+  transform[4] = 0.0;
+  this->Whole.GeoTransform = transform;
+  this->Whole.HasGeoTransform = true;
+  if (hasCrs)
+  {
+    this->Crs = CoordinateSystem(*crs, this->File);
+  }
+}
+
+void RasterSource::ReadPlace()
+{
+  if (!this->Whole.HasGeoTransform)
+  {
+    return;
+  }
+  // From here on the geotransform is that of the north-up raster with the same posts.
+  std::array<double, 6>& transform = this->Whole.GeoTransform;
+  this->MirroredX = (transform[1] < 0.0) != this->Crs.PointsSouthWest();
+  this->SouthUp = (transform[5] > 0.0) != this->Crs.PointsSouthWest();
+  if (this->MirroredX)
+  {
+    transform[0] += this->Columns * transform[1];
+    transform[1] = -transform[1];
+  }
+  if (this->SouthUp)
+  {
+    transform[3] += this->Rows * transform[5];
+    transform[5] = -transform[5];
+  }
+  const OGRSpatialReference* crs = this->Dataset->GetSpatialRef();
+  if (crs && !crs->IsEmpty())
+  {
+    this->Crs.Place(this->Whole);
+  }
+
+  const double unit = this->Crs.GetUnit();
+  const PostSpacing spacing = ComputeRowSpacing(this->Whole, std::abs(transform[1]) * unit,
+    std::abs(transform[5]) * unit, this->Crs.IsGeographic());
+  this->Spacing = { { spacing.X, spacing.Y } };
+  if (!this->Crs.IsGeographic())
+  {
+    const double metres = this->Crs.PointsSouthWest() ? -unit : unit;
+    this->Origin = { { (transform[0] + 0.5 * transform[1]) * metres,
+      (transform[3] + (this->Rows - 0.5) * transform[5]) * metres } };
+  }
+}
+
+void RasterSource::ReadValues()
+{
+  const GDALDataType gdalType = this->Band->GetRasterDataType();
+  const BandType type = TypeOf(gdalType);
+  if (type.VtkType == VTK_VOID)
+  {
+    this->Refuse(std::string("its values are ") + GDALGetDataTypeName(gdalType) +
+      ", not heights; convert them to real numbers (gdal_translate -ot Float32)");
+  }
+
+  double metres = 1.0;
+  const char* unit = this->Band->GetUnitType();
+  const std::string unitName = unit ? unit : "";
+  switch (ReadUnitName(unitName, metres))
+  {
+    case UnitName::Length:
+      break;
+    case UnitName::Absent:
+      metres = this->Crs.GetVerticalUnit() > 0.0 ? this->Crs.GetVerticalUnit() : 1.0;
+      break;
+    case UnitName::Unknown:
+      this->Refuse("its heights have the unit '" + unitName +
+        "', which is no known length; give metres or feet (gdal_edit.py -units m)");
+  }
+
+  int found = 0;
+  double scale = this->Band->GetScale(&found);
+  scale = found ? scale : 1.0;
+  double offset = this->Band->GetOffset(&found);
+  offset = found ? offset : 0.0;
+  if (!std::isfinite(scale) || scale == 0.0 || !std::isfinite(offset))
+  {
+    this->Refuse("its band has the scale " + std::to_string(scale) + " and offset " +
+      std::to_string(offset) + "; set usable ones (gdal_edit.py -scale -offset)");
+  }
+  this->Scale = scale * metres;
+  this->Offset = offset * metres;
+
+  if (gdalType == GDT_Int64)
+  {
+    this->Nodata = static_cast<double>(this->Band->GetNoDataValueAsInt64(&found));
+  }
+  else if (gdalType == GDT_UInt64)
+  {
+    this->Nodata = static_cast<double>(this->Band->GetNoDataValueAsUInt64(&found));
+  }
+  else
+  {
+    this->Nodata = this->Band->GetNoDataValue(&found);
+  }
+  this->DeclaresNodata = found != 0;
+  const int flags = this->Band->GetMaskFlags();
+  this->HasMask = !(flags & GMF_ALL_VALID) && flags != GMF_NODATA;
+
+  this->Plain =
+    this->Scale == 1.0 && this->Offset == 0.0 && !this->DeclaresNodata && !this->HasMask;
+  const bool real = type.VtkType == VTK_FLOAT || type.VtkType == VTK_DOUBLE;
+  this->VtkType = this->Plain || real ? type.VtkType : (type.FitsFloat ? VTK_FLOAT : VTK_DOUBLE);
+}
+
+Georeference RasterSource::GetGeoreference(const PostWindow& window) const
+{
+  if (window.Columns == this->Columns && window.Rows == this->Rows)
+  {
+    return this->Whole;
+  }
+  Georeference part = this->Whole;
+  part.Columns = window.Columns;
+  part.Rows = window.Rows;
+  if (!part.HasGeoTransform)
+  {
+    return part;
+  }
+  const int rowsAbove = this->Rows - window.RowBegin - window.Rows;
+  part.GeoTransform[0] += window.ColumnBegin * part.GeoTransform[1];
+  part.GeoTransform[3] += rowsAbove * part.GeoTransform[5];
+  if (part.OnBody())
+  {
+    this->Crs.Place(part);
+  }
+  if (!part.RowSpacingX.empty())
+  {
+    const auto slice = [&](std::vector<double>& rows)
+    {
+      const auto begin = rows.begin() + window.RowBegin;
+      rows = std::vector<double>(begin, begin + window.Rows);
+    };
+    slice(part.RowSpacingX);
+    slice(part.RowSpacingY);
+  }
+  return part;
+}
+
+void RasterSource::Read(const PostWindow& window, void* heights, const ProgressFunction& progress)
+{
+  switch (this->VtkType)
+  {
+    vtkTemplateMacro(this->ReadAs(window, static_cast<VTK_TT*>(heights), progress));
+    default:
+      break;
+  }
+}
+
+/// Raw values to metres, in place; false when none of them is a height.
+template <typename T>
+bool RasterSource::Convert(T* heights, const unsigned char* mask, std::size_t count) const
+{
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    const bool huge = this->DeclaresNodata && std::abs(this->Nodata) > HugeNodata;
+    const T nodata = this->DeclaresNodata ? static_cast<T>(this->Nodata) : T(0);
+    const double slack = huge ? HugeNodataTolerance * std::abs(this->Nodata) : 0.0;
+    bool any = false;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const T raw = heights[i];
+      const bool missing = !std::isfinite(raw) || (mask && mask[i] == 0) ||
+        (this->DeclaresNodata && raw == nodata) ||
+        (huge && std::abs(static_cast<double>(raw) - this->Nodata) <= slack);
+      heights[i] = missing ? std::numeric_limits<T>::quiet_NaN()
+                           : static_cast<T>(static_cast<double>(raw) * this->Scale + this->Offset);
+      any = any || !missing;
+    }
+    return any;
+  }
+  else
+  {
+    (void)heights;
+    (void)mask;
+    (void)count;
+    return true;
+  }
+}
+
+template <typename T>
+void RasterSource::ReadAs(const PostWindow& window, T* heights, const ProgressFunction& progress)
+{
+  const int fileColumn =
+    this->MirroredX ? this->Columns - window.ColumnBegin - window.Columns : window.ColumnBegin;
+  const int fileRow = this->SouthUp ? window.RowBegin : this->Rows - window.RowBegin - window.Rows;
+  const int fileEnd = fileRow + window.Rows;
+  const auto columns = static_cast<std::size_t>(window.Columns);
+
+  int blockColumns = 1, blockRows = 1;
+  this->Band->GetBlockSize(&blockColumns, &blockRows);
+  const double wanted = StripBytes / (static_cast<double>(columns) * sizeof(T));
+  const auto blocks = static_cast<std::int64_t>(std::clamp(wanted / blockRows, 1.0, 1e6));
+  const auto stripRows = static_cast<int>(std::min<std::int64_t>(blocks * blockRows, window.Rows));
+  std::vector<T> strip(columns * static_cast<std::size_t>(stripRows));
+  std::vector<unsigned char> mask(this->HasMask ? strip.size() : 0);
+
+  this->Errors.Clear(); // what happened on opening did not keep the file from opening
+  bool anyHeight = false;
+  for (int row = fileRow; row < fileEnd;)
+  {
+    // Strips end where blocks end, so that no block is read twice.
+    const std::int64_t blockEnd = (row / blockRows + blocks) * blockRows;
+    const int end = static_cast<int>(
+      std::min<std::int64_t>({ fileEnd, static_cast<std::int64_t>(row) + stripRows, blockEnd }));
+    const int rows = end - row;
+    CPLErr failed = this->Band->RasterIO(GF_Read, fileColumn, row, window.Columns, rows,
+      strip.data(), window.Columns, rows, GdalTypeOf(this->VtkType), 0, 0, nullptr);
+    if (failed == CE_None && this->HasMask)
+    {
+      failed = this->Band->GetMaskBand()->RasterIO(GF_Read, fileColumn, row, window.Columns, rows,
+        mask.data(), window.Columns, rows, GDT_Byte, 0, 0, nullptr);
+    }
+    if (failed != CE_None || this->Errors.Any())
+    {
+      throw IoFailure(vtkErrorCode::PrematureEndOfFileError,
+        "cannot read row " + std::to_string(row) + " of '" + this->File +
+          "': " + this->Errors.First() + "; the file may be damaged, fetch it again");
+    }
+
+    const std::size_t count = columns * static_cast<std::size_t>(rows);
+    anyHeight =
+      this->Convert(strip.data(), this->HasMask ? mask.data() : nullptr, count) || anyHeight;
+    for (int line = 0; line < rows; ++line)
+    {
+      const T* from = strip.data() + columns * static_cast<std::size_t>(line);
+      const int done = row + line - fileRow;
+      const int imageRow = this->SouthUp ? done : window.Rows - 1 - done;
+      T* to = heights + columns * static_cast<std::size_t>(imageRow);
+      if (this->MirroredX)
+      {
+        std::reverse_copy(from, from + columns, to);
+      }
+      else
+      {
+        std::copy(from, from + columns, to);
+      }
+    }
+    row = end;
+    if (!progress(static_cast<double>(row - fileRow) / window.Rows))
+    {
+      throw IoAborted();
+    }
+  }
+
+  const bool whole = window.Columns == this->Columns && window.Rows == this->Rows;
+  if (whole && !anyHeight)
+  {
+    this->Refuse("all its " + std::to_string(this->Columns) + " x " + std::to_string(this->Rows) +
+      " posts are missing (nodata); choose another band or file");
+  }
+}
+
+} // namespace skyline

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One band of a raster file as a lattice of heights: the reader without the pipeline.
+#ifndef skyline_RasterSource_h
+#define skyline_RasterSource_h
+
+#include "CoordinateSystem.h"
+#include "GdalErrors.h"
+#include "Georeference.h"
+
+#include <gdal_priv.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace skyline
+{
+
+/// Posts [ColumnBegin, ColumnBegin + Columns) x [RowBegin, RowBegin + Rows), from the south-west.
+struct PostWindow
+{
+  int ColumnBegin = 0, RowBegin = 0;
+  int Columns = 0, Rows = 0;
+};
+
+/// An open band. Every function throws IoFailure with a one-line reason that names the file.
+class RasterSource
+{
+public:
+  /// Opens `file` (anything GDAL opens) and looks at its band `band` (from 1).
+  RasterSource(const std::string& file, int band);
+
+  PostWindow GetWhole() const { return { 0, 0, this->Columns, this->Rows }; }
+
+  /// VTK's type of the heights: the band's own for integers that are metres as they are, else float,
+  /// or double where float would lose digits of the band.
+  int GetVtkType() const { return this->VtkType; }
+
+  /// Metres between columns and between rows, of the centre row where rows differ.
+  const std::array<double, 2>& GetSpacing() const { return this->Spacing; }
+
+  /// Metres: the south-west post's CRS coordinates on a projected or local map, else 0.
+  const std::array<double, 2>& GetOrigin() const { return this->Origin; }
+
+  /// The georeference of part of the raster. Its row spacings are the whole raster's.
+  Georeference GetGeoreference(const PostWindow& window) const;
+
+  bool HasNodata() const { return this->DeclaresNodata; }
+  double GetNodata() const { return this->Nodata; }
+
+  /// Called with the part done (0 to 1); false stops the reading.
+  using ProgressFunction = std::function<bool(double)>;
+
+  /// Reads the heights of a window into `heights`, an array of GetVtkType with row 0 in the south:
+  /// metres, NaN where missing. Throws IoAborted when `progress` says so, and IoFailure when every
+  /// post of the whole raster is missing.
+  void Read(const PostWindow& window, void* heights, const ProgressFunction& progress);
+
+private:
+  struct Closer
+  {
+    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+  };
+
+  [[noreturn]] void Refuse(const std::string& reason) const;
+  void Open(int band);
+  void ReadTransform();
+  void ReadPlace();
+  void ReadValues();
+  template <typename T>
+  void ReadAs(const PostWindow& window, T* heights, const ProgressFunction& progress);
+  template <typename T>
+  bool Convert(T* heights, const unsigned char* mask, std::size_t count) const;
+
+  GdalErrors Errors; // first, so that closing the file is quiet too
+  std::string File;
+  std::unique_ptr<GDALDataset, Closer> Dataset;
+  GDALRasterBand* Band = nullptr;
+  int Columns = 0, Rows = 0;
+  int VtkType = 0;
+  CoordinateSystem Crs;
+  Georeference Whole;
+  bool MirroredX = false; ///< the file's first column is the eastern one
+  bool SouthUp = false;   ///< the file's first row is the southern one
+  std::array<double, 2> Spacing{ { 1.0, 1.0 } };
+  std::array<double, 2> Origin{ { 0.0, 0.0 } };
+  bool Plain = true;                ///< heights are the band's values as they are
+  double Scale = 1.0, Offset = 0.0; ///< metres = value * Scale + Offset
+  bool DeclaresNodata = false;
+  double Nodata = 0.0;
+  bool HasMask = false; ///< the file has a mask or alpha band
+};
+
+} // namespace skyline
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeightFieldReader
+ * @brief   reads a band of any raster that GDAL opens as a height field
+ *
+ * The output is a two-dimensional vtkImageData with the point scalars "Elevation", in metres. A post
+ * is a pixel centre. Row 0 is the south edge and column 0 the west edge, whichever way the file
+ * runs; rotated and sheared rasters are refused.
+ *
+ * Spacing is in metres: the CRS's steps, or the true ones of the centre row where they differ (see
+ * RowSpacing.h). Origin is the south-west post's CRS coordinates in metres on a projected or local
+ * map, and 0 on a geographic one. Heights in feet, with a scale and an offset, or with missing posts
+ * (nodata, mask, alpha, NaN, infinities) become float, or double where float would lose digits,
+ * with NaN for the missing; other integers stay as they are. The unit of the heights is the band's,
+ * else that of the CRS's vertical part, else metres; heights count upwards even where the CRS
+ * speaks of depths.
+ *
+ * Field data carries the georeference (vtkSkylineGeoreference.h) of the extent that was delivered,
+ * which is the extent asked for: only that part of the file is read. Spacing and RowSpacing are the
+ * whole raster's, so that a part is what the whole has there. NodataValue is the value the file
+ * declares for missing posts.
+ *
+ * A failure is one line through ErrorEvent, which names the file, the value and the cure, and an
+ * error code (GetErrorCode). An abort leaves an empty output and the code vtkErrorCode::UserError.
+ */
+#ifndef vtkHeightFieldReader_h
+#define vtkHeightFieldReader_h
+
+#include "SkylineIOModule.h" // for the export macro
+#include "vtkImageAlgorithm.h"
+
+class SKYLINEIO_EXPORT vtkHeightFieldReader : public vtkImageAlgorithm
+{
+public:
+  static vtkHeightFieldReader* New();
+  vtkTypeMacro(vtkHeightFieldReader, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * What to read: a path, or any other name that GDAL opens (/vsizip/..., NETCDF:...).
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * Which band holds the heights, from 1. Default 1.
+   */
+  vtkSetMacro(Band, int);
+  vtkGetMacro(Band, int);
+  ///@}
+
+protected:
+  vtkHeightFieldReader();
+  ~vtkHeightFieldReader() override;
+
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkHeightFieldReader(const vtkHeightFieldReader&) = delete;
+  void operator=(const vtkHeightFieldReader&) = delete;
+
+  /// Runs `work`; false, with the error reported, if it throws.
+  template <typename Work>
+  bool Try(const Work& work);
+
+  char* FileName = nullptr;
+  int Band = 1;
+};
+
+#endif

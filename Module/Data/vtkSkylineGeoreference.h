@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The georeference of a height field as field data, so that it travels down a VTK pipeline.
+#ifndef vtkSkylineGeoreference_h
+#define vtkSkylineGeoreference_h
+
+#include "Georeference.h"
+
+class vtkDataObject;
+
+namespace skyline
+{
+
+/// Field data arrays of a georeference. An array that would say nothing is absent.
+constexpr const char* CrsArrayName = "CRS";                   ///< string: WKT
+constexpr const char* GeoTransformArrayName = "GeoTransform"; ///< 6 doubles, GDAL's order
+constexpr const char* BodyArrayName = "BodyEllipsoid";    ///< metres, flattening, 1 on the Earth
+constexpr const char* LatticeArrayName = "LonLatLattice"; ///< pairs of degrees, node by node
+constexpr const char* LatticeSizeArrayName = "LonLatLatticeSize"; ///< 2 ints: columns, rows
+constexpr const char* RowSpacingArrayName = "RowSpacing";         ///< pairs of metres, row by row
+constexpr const char* PostCountArrayName = "PostCount";           ///< 2 doubles: columns, rows
+constexpr const char* NodataArrayName = "NodataValue"; ///< 1 double: the file's nodata value
+
+/// Puts `georeference` into the field data of `data`, in place of the one that was there.
+void StoreGeoreference(const Georeference& georeference, vtkDataObject* data);
+
+/// The georeference in the field data of `data`. What is absent or malformed has its default
+/// value; without PostCount an image's own dimensions count. `data` may be null.
+Georeference LoadGeoreference(vtkDataObject* data);
+
+/// Puts the nodata value that a raster declared into the field data of `data`.
+void StoreNodataValue(double value, vtkDataObject* data);
+
+/// Reads that value into `value`; false, and `value` as it was, where none is declared.
+bool LoadNodataValue(vtkDataObject* data, double& value);
+
+} // namespace skyline
+
+#endif

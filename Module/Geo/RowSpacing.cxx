@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RowSpacing.h"
+
+#include <GeographicLib/Geodesic.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace skyline
+{
+namespace
+{
+
+/// Geodesics are good to some nanometres; over a metre that is nothing.
+constexpr double ShortestBase = 1.0;         // metres
+constexpr double ShortestBaseDegrees = 1e-5; // degrees, a metre on the Earth
+
+void CheckSteps(double x, double y)
+{
+  if (!(x > 0.0) || !(y > 0.0) || !std::isfinite(x) || !std::isfinite(y))
+  {
+    throw std::invalid_argument("spacing " + std::to_string(x) + " x " + std::to_string(y) +
+      " is not positive; give the raster's steps as lengths");
+  }
+}
+
+/// Whole posts that span at least `shortest`.
+double Posts(double step, double shortest)
+{
+  return std::max(1.0, std::ceil(shortest / step));
+}
+
+/// Measures true lengths about the middle of a row.
+class Ruler
+{
+public:
+  explicit Ruler(const Georeference& place)
+    : Place(place)
+    , Ellipsoid(place.EquatorialRadius, place.Flattening)
+    , Column(0.5 * static_cast<double>(place.Columns - 1))
+  {
+  }
+
+  /// Steps in degrees of longitude and latitude.
+  PostSpacing Geographic(double row, double stepX, double stepY) const
+  {
+    double longitude = 0.0, latitude = 0.0;
+    this->Place.LonLatAt(this->Column, row, longitude, latitude);
+    // A post on the pole may miss it by rounding; half a step beyond is no place.
+    if (!(std::abs(latitude) < 90.0 + 0.25 * stepY))
+    {
+      throw std::invalid_argument("row " + std::to_string(row) + " lies at latitude " +
+        std::to_string(latitude) + ", beyond the pole; correct the file's geotransform");
+    }
+
+    const double acrossX = Posts(stepX, ShortestBaseDegrees) * stepX;
+    const double reach = 90.0 - 0.25 * std::min(stepY, 180.0);
+    const double offPole = std::clamp(latitude, -reach, reach);
+    const double alongY = Posts(stepY, ShortestBaseDegrees) * stepY;
+    const double from = std::clamp(latitude - 0.5 * alongY, -90.0, 90.0);
+    const double to = std::clamp(latitude + 0.5 * alongY, -90.0, 90.0);
+
+    PostSpacing spacing;
+    spacing.X = this->Length(offPole, longitude, offPole, longitude + acrossX) * stepX / acrossX;
+    spacing.Y = this->Length(from, longitude, to, longitude) * stepY / (to - from);
+    return spacing;
+  }
+
+  /// Steps in metres on the map.
+  PostSpacing Projected(double row, double stepX, double stepY) const
+  {
+    const double acrossX = Posts(stepX, ShortestBase);
+    const double alongY = Posts(stepY, ShortestBase);
+    PostSpacing spacing;
+    spacing.X = this->Between(this->Column - 0.5 * acrossX, row, this->Column + 0.5 * acrossX, row);
+    spacing.Y = this->Between(this->Column, row - 0.5 * alongY, this->Column, row + 0.5 * alongY);
+    spacing.X /= acrossX;
+    spacing.Y /= alongY;
+    return spacing;
+  }
+
+private:
+  double Length(double latitude0, double longitude0, double latitude1, double longitude1) const
+  {
+    double metres = 0.0;
+    this->Ellipsoid.Inverse(latitude0, longitude0, latitude1, longitude1, metres);
+    return metres;
+  }
+
+  double Between(double column0, double row0, double column1, double row1) const
+  {
+    double longitude0 = 0.0, latitude0 = 0.0, longitude1 = 0.0, latitude1 = 0.0;
+    this->Place.LonLatAt(column0, row0, longitude0, latitude0);
+    this->Place.LonLatAt(column1, row1, longitude1, latitude1);
+    return this->Length(latitude0, longitude0, latitude1, longitude1);
+  }
+
+  const Georeference& Place;
+  GeographicLib::Geodesic Ellipsoid;
+  double Column;
+};
+
+bool Near(double value, double reference, double tolerance)
+{
+  return std::abs(value - reference) <= tolerance * reference;
+}
+
+bool Near(const PostSpacing& value, const PostSpacing& reference, double tolerance)
+{
+  return Near(value.X, reference.X, tolerance) && Near(value.Y, reference.Y, tolerance);
+}
+
+} // namespace
+
+PostSpacing ComputeRowSpacing(
+  Georeference& place, double nominalX, double nominalY, bool nominalInDegrees)
+{
+  CheckSteps(nominalX, nominalY);
+  place.RowSpacingX.clear();
+  place.RowSpacingY.clear();
+  const PostSpacing nominal{ nominalX, nominalY };
+  if (!nominalInDegrees)
+  {
+    const double extent = std::max(
+      nominalX * static_cast<double>(place.Columns), nominalY * static_cast<double>(place.Rows));
+    if (!place.OnBody() || extent < ShortestBase)
+    {
+      return nominal;
+    }
+  }
+
+  double longitude = 0.0, latitude = 0.0;
+  place.LonLatAt(0.0, 0.0, longitude, latitude); // refuses what has no body
+  const Ruler ruler(place);
+  const auto measure = [&](double row)
+  {
+    return nominalInDegrees ? ruler.Geographic(row, nominalX, nominalY)
+                            : ruler.Projected(row, nominalX, nominalY);
+  };
+  const PostSpacing centre = measure(0.5 * static_cast<double>(place.Rows - 1));
+
+  std::vector<double> x, y;
+  bool trueMap = !nominalInDegrees && Near(centre, nominal, ProjectedScaleTolerance);
+  bool uniform = true;
+  for (std::ptrdiff_t row = 0; row < place.Rows; ++row)
+  {
+    const PostSpacing spacing = measure(static_cast<double>(row));
+    trueMap = trueMap && Near(spacing, nominal, ProjectedScaleTolerance);
+    uniform = uniform && Near(spacing, centre, RowSpacingUniformity);
+    x.push_back(spacing.X);
+    y.push_back(spacing.Y);
+  }
+  if (trueMap)
+  {
+    return nominal;
+  }
+  if (!uniform)
+  {
+    place.RowSpacingX = std::move(x);
+    place.RowSpacingY = std::move(y);
+  }
+  return centre;
+}
+
+PostSpacing RowSpacingAt(const Georeference& place, double row, const PostSpacing& uniform)
+{
+  if (place.RowSpacingX.empty())
+  {
+    return uniform;
+  }
+  const double last = static_cast<double>(place.RowSpacingX.size() - 1);
+  const auto index = static_cast<std::size_t>(std::clamp(std::round(row), 0.0, last));
+  return { place.RowSpacingX[index], place.RowSpacingY[index] };
+}
+
+std::vector<RowBand> RowBands(
+  const Georeference& place, const PostSpacing& uniform, double tolerance)
+{
+  if (!(tolerance >= 0.0))
+  {
+    throw std::invalid_argument("band tolerance " + std::to_string(tolerance) +
+      " is negative; give a relative difference like 0.0025");
+  }
+  if (place.RowSpacingX.empty())
+  {
+    return { { 0, place.Rows, uniform.X, uniform.Y } };
+  }
+  if (place.RowSpacingX.size() != static_cast<std::size_t>(place.Rows) ||
+    place.RowSpacingY.size() != place.RowSpacingX.size())
+  {
+    throw std::invalid_argument("there are " + std::to_string(place.RowSpacingX.size()) +
+      " row spacings for " + std::to_string(place.Rows) + " rows; give one a row");
+  }
+
+  // A band's spacing is the middle of its least and greatest, so it grows while half their
+  // difference stays within the tolerance.
+  struct Range
+  {
+    double Least, Greatest;
+    Range With(double value) const
+    {
+      return { std::min(this->Least, value), std::max(this->Greatest, value) };
+    }
+    double Middle() const { return 0.5 * (this->Least + this->Greatest); }
+    bool Within(double relative) const
+    {
+      return this->Greatest - this->Middle() <= relative * this->Middle();
+    }
+  };
+  std::vector<RowBand> bands;
+  for (std::ptrdiff_t begin = 0; begin < place.Rows;)
+  {
+    const double firstX = place.RowSpacingX[static_cast<std::size_t>(begin)];
+    const double firstY = place.RowSpacingY[static_cast<std::size_t>(begin)];
+    Range x{ firstX, firstX }, y{ firstY, firstY };
+    std::ptrdiff_t end = begin + 1;
+    for (; end < place.Rows; ++end)
+    {
+      const Range widerX = x.With(place.RowSpacingX[static_cast<std::size_t>(end)]);
+      const Range widerY = y.With(place.RowSpacingY[static_cast<std::size_t>(end)]);
+      if (!widerX.Within(tolerance) || !widerY.Within(tolerance))
+      {
+        break;
+      }
+      x = widerX;
+      y = widerY;
+    }
+    bands.push_back({ begin, end, x.Middle(), y.Middle() });
+    begin = end;
+  }
+  return bands;
+}
+
+} // namespace skyline

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A moment in coordinated universal time, and how people write it.
+#ifndef skyline_UtcTime_h
+#define skyline_UtcTime_h
+
+#include <string>
+
+namespace skyline
+{
+
+/// A moment in UTC, Gregorian calendar. Seconds reach up to 61 in the last minute of a day that
+/// ends with a leap second.
+struct UtcTime
+{
+  int Year = 2000;     ///< astronomical count
+  int Month = 1;       ///< 1 to 12
+  int Day = 1;         ///< 1 to 31
+  int Hour = 0;        ///< 0 to 23
+  int Minute = 0;      ///< 0 to 59
+  double Second = 0.0; ///< 0 up to, not including, 60; 61 in a leap second
+};
+
+/// Reads ISO 8601's extended form: `2026-06-21`, `2026-06-21T06:00Z`,
+/// `2026-06-21T08:00:30.25+02:00`. A date alone means its first moment. Without a zone designator
+/// the time is UTC. Offsets are +hh:mm, -hh:mm, +hh or -hh. Second 60 is read where ERFA's table
+/// has a leap second. Throws std::invalid_argument, naming the text and a form that works, for
+/// everything else.
+UtcTime ParseUtcTime(const std::string& text);
+
+/// The moment as text that ParseUtcTime reads, cut (not rounded) to milliseconds.
+std::string ToText(const UtcTime& time);
+
+} // namespace skyline
+
+#endif

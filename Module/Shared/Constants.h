@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers that more than one file needs, each once, with its closed form or its source.
+#ifndef skyline_Constants_h
+#define skyline_Constants_h
+
+namespace skyline
+{
+
+constexpr double Pi = 3.14159265358979323846;      ///< acos(-1)
+constexpr double DegreesPerRadian = 180.0 / Pi;    ///< 180 / pi
+constexpr double RadiansPerDegree = Pi / 180.0;    ///< pi / 180
+
+/// Tangent of the horizon where no terrain lies in a direction. Its square still is a finite float,
+/// and atan of it is -90 degrees in float.
+constexpr float NoTerrainSlope = -1.0e18f;
+
+/// Height of a post without surface: low enough that any weight of it hides an edge (the smallest
+/// weight is 1e-9, the largest distance 1e7 m: -1e30 * 1e-9 / 1e7 = -1e14, far under any slope of
+/// terrain), high enough that sums and products stay finite floats.
+constexpr float MissingHeight = -1.0e30f;
+
+/// Terrestrial refraction: radius of the Earth over radius of a light ray near the ground. The
+/// value surveyors use since Gauss.
+constexpr double TerrestrialRefraction = 0.13;
+
+/// Mean angular radius of the sun seen from the Earth, degrees: asin(695700 km / 149597870.7 km).
+constexpr double MeanSunRadius = 0.26645;
+
+} // namespace skyline
+
+#endif

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From linear light to the numbers of a picture. Pure functions, no VTK.
+#ifndef skyline_ToneMap_h
+#define skyline_ToneMap_h
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace skyline
+{
+
+using Rgb = std::array<float, 3>; ///< linear light, Rec. 709 primaries
+
+/// Linear level that no tone-mapped channel exceeds: 251 of 255 after encoding, so nothing burns out.
+constexpr float ToneWhite = 0.96f;
+
+/// Below this level the tone curve leaves light as it is; above it, a shoulder begins.
+constexpr float ToneKnee = 0.45f;
+
+/// Luminance of linear light, Rec. ITU-R BT.709-6, item 3.2.
+inline float Luminance(const Rgb& c)
+{
+  return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2];
+}
+
+/// The tone curve: a luminance (0 and up) to a luminance in [0, ToneWhite). The identity up to
+/// ToneKnee, then a hyperbola with the same slope there that tends to ToneWhite. Never falls; NaN
+/// and negative light give 0, infinite light ToneWhite.
+inline float ToneCurve(float luminance)
+{
+  if (!(luminance > 0.0f))
+  {
+    return 0.0f;
+  }
+  if (luminance <= ToneKnee)
+  {
+    return luminance;
+  }
+  constexpr float room = ToneWhite - ToneKnee;
+  const float over = (luminance - ToneKnee) / room;
+  return ToneWhite - room / (1.0f + over);
+}
+
+/// Tone-maps a colour: its luminance by ToneCurve, its hue kept. A channel that would pass ToneWhite
+/// draws the colour towards grey of the same luminance, as bright colours do to the eye.
+inline Rgb ToneMap(const Rgb& light)
+{
+  Rgb c = light;
+  for (float& channel : c)
+  {
+    // Infinite light would make inf / inf below; 1e30 is as white.
+    channel = channel > 0.0f ? std::min(channel, 1.0e30f) : 0.0f;
+  }
+  const float before = Luminance(c);
+  if (!(before > 0.0f))
+  {
+    return Rgb{ { 0.0f, 0.0f, 0.0f } };
+  }
+  const float after = ToneCurve(before);
+  float brightest = 0.0f;
+  for (float& channel : c)
+  {
+    channel = channel / before * after;
+    brightest = std::max(brightest, channel);
+  }
+  if (brightest > ToneWhite)
+  {
+    const float kept = (ToneWhite - after) / (brightest - after);
+    for (float& channel : c)
+    {
+      channel = std::clamp(after + kept * (channel - after), 0.0f, ToneWhite);
+    }
+  }
+  return c;
+}
+
+/// Linear light in [0, 1] to the sRGB code in [0, 1], IEC 61966-2-1; values outside are clamped.
+inline float EncodeSrgb(float linear)
+{
+  if (!(linear > 0.0f))
+  {
+    return 0.0f;
+  }
+  if (linear >= 1.0f)
+  {
+    return 1.0f;
+  }
+  return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+}
+
+/// The inverse of EncodeSrgb.
+inline float DecodeSrgb(float code)
+{
+  if (!(code > 0.0f))
+  {
+    return 0.0f;
+  }
+  if (code >= 1.0f)
+  {
+    return 1.0f;
+  }
+  return code <= 0.04045f ? code / 12.92f : std::pow((code + 0.055f) / 1.055f, 2.4f);
+}
+
+/// The sRGB code as a byte, rounded to the nearest.
+inline unsigned char SrgbByte(float linear)
+{
+  return static_cast<unsigned char>(255.0f * EncodeSrgb(linear) + 0.5f);
+}
+
+} // namespace skyline
+
+#endif

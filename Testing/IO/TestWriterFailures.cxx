@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// No writer leaves part of a file, wherever it stops.
+#include "AtomicFile.h"
+#include "IoTesting.h"
+
+#include "vtkFloatArray.h"
+#include "vtkHeightFieldPictureWriter.h"
+#include "vtkHeightFieldWriter.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace skyline_test;
+
+namespace
+{
+
+/// An image whose compressed arrays still are some tens of kB.
+vtkSmartPointer<vtkImageData> Noise(int columns, int rows)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(columns, rows, 1);
+  vtkNew<vtkFloatArray> heights, light;
+  vtkNew<vtkUnsignedCharArray> colors;
+  heights->SetName("Elevation");
+  light->SetName("Light");
+  light->SetNumberOfComponents(3);
+  colors->SetName("Colors");
+  colors->SetNumberOfComponents(3);
+  unsigned int state = 1;
+  const auto next = [&state]
+  {
+    state = state * 1664525u + 1013904223u;
+    return state >> 8;
+  };
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    heights->InsertNextValue(static_cast<float>(next()));
+    light->InsertNextTuple3(next(), next(), next());
+    colors->InsertNextTuple3(next() & 255, next() & 255, next() & 255);
+  }
+  image->GetPointData()->SetScalars(heights);
+  image->GetPointData()->AddArray(light);
+  image->GetPointData()->AddArray(colors);
+  return image;
+}
+
+/// One of the five ways to write.
+struct Way
+{
+  const char* Name;
+  vtkSmartPointer<vtkHeightFieldSink> Sink;
+};
+
+std::vector<Way> AllWays(vtkImageData* image)
+{
+  auto tiff = vtkSmartPointer<vtkHeightFieldWriter>::New();
+  auto cloud = vtkSmartPointer<vtkHeightFieldWriter>::New();
+  cloud->CloudOptimizedOn();
+  const auto picture = [](const char* array)
+  {
+    auto sink = vtkSmartPointer<vtkHeightFieldPictureWriter>::New();
+    sink->SetArrayName(array);
+    return sink;
+  };
+  std::vector<Way> ways{ { "out.tif", tiff }, { "cog.tif", cloud },
+    { "out.png", picture("Colors") }, { "out.exr", picture("Light") },
+    { "picture.tif", picture("Light") } };
+  for (Way& way : ways)
+  {
+    way.Sink->SetInputData(image);
+  }
+  return ways;
+}
+
+/// The message of a write that must fail.
+std::string Fail(vtkHeightFieldSink* sink, const std::string& file)
+{
+  const Errors errors(sink);
+  sink->SetFileName(file.c_str());
+  EXPECT_EQ(sink->Write(), 0) << file;
+  EXPECT_NE(sink->GetErrorCode(), vtkErrorCode::NoError) << file;
+  EXPECT_EQ(errors.Count(), 1u) << file;
+  EXPECT_EQ(errors.First().find('\n'), std::string::npos) << errors.First();
+  return errors.First();
+}
+
+bool Contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+// The size of every file the process writes is limited, from nothing to a byte below what the whole
+// needs: each write must be noticed to fail, even those that only happen on closing.
+TEST(WriterFailures, NoSpaceAtAnyPoint)
+{
+  const std::string folder = FreshFolder("limit");
+  const auto image = Noise(150, 101);
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit unlimited;
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &unlimited), 0);
+  for (const Way& way : AllWays(image))
+  {
+    const std::string file = folder + "/" + way.Name;
+    way.Sink->SetFileName(file.c_str());
+    ASSERT_EQ(way.Sink->Write(), 1) << way.Name;
+    const auto size = static_cast<rlim_t>(std::filesystem::file_size(file));
+    std::filesystem::remove(file);
+    std::vector<rlim_t> limits{ 0, 1, 7, 8, 100, size - 1, size - 2, size - 100 };
+    for (rlim_t part = 1; part < 16; ++part)
+    {
+      limits.push_back(size * part / 16);
+    }
+    for (const rlim_t limit : limits)
+    {
+      rlimit limited = unlimited;
+      limited.rlim_cur = limit;
+      ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &limited), 0);
+      const Errors errors(way.Sink);
+      const int written = way.Sink->Write();
+      ::setrlimit(RLIMIT_FSIZE, &unlimited);
+      EXPECT_EQ(written, 0) << way.Name << " within " << limit << " of " << size;
+      EXPECT_EQ(errors.Count(), 1u) << way.Name << " within " << limit;
+      EXPECT_TRUE(Contains(errors.First(), "cannot write '" + file + "'")) << errors.First();
+      EXPECT_TRUE(FilesIn(folder).empty()) << way.Name << " within " << limit;
+    }
+  }
+  std::signal(SIGXFSZ, SIG_DFL);
+}
+
+TEST(WriterFailures, FullDisk)
+{
+  const std::string folder = FreshFolder("tmpfs");
+  if (::mount("tmpfs", folder.c_str(), "tmpfs", 0, "size=64k") != 0)
+  {
+    GTEST_SKIP() << "needs the right to mount a small file system";
+  }
+  const auto image = Noise(400, 300);
+  for (const Way& way : AllWays(image))
+  {
+    const std::string message = Fail(way.Sink, folder + "/" + way.Name);
+    EXPECT_TRUE(Contains(message, "No space left on device; free some space")) << message;
+    EXPECT_EQ(way.Sink->GetErrorCode(), vtkErrorCode::OutOfDiskSpaceError);
+    EXPECT_TRUE(FilesIn(folder).empty()) << way.Name;
+  }
+  ::umount(folder.c_str());
+}
+
+TEST(WriterFailures, FullDevice)
+{
+  const auto image = Noise(20, 10);
+  vtkNew<vtkHeightFieldWriter> writer;
+  writer->SetInputData(image);
+  EXPECT_TRUE(Contains(Fail(writer, "/dev/full"), "No space left on device"));
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+
+  const std::string folder = FreshFolder("full");
+  std::filesystem::create_symlink("/dev/full", folder + "/full.png");
+  vtkNew<vtkHeightFieldPictureWriter> picture;
+  picture->SetInputData(image);
+  picture->SetArrayName("Colors");
+  EXPECT_TRUE(Contains(Fail(picture, folder + "/full.png"), "No space left on device"));
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+TEST(WriterFailures, FolderThatIsNotThere)
+{
+  const std::string file = FreshFolder("absent") + "/none/out.tif";
+  vtkNew<vtkHeightFieldWriter> writer;
+  const auto image = Noise(20, 10);
+  writer->SetInputData(image);
+  EXPECT_EQ(Fail(writer, file),
+    "cannot write '" + file + "': No such file or directory; make its folder first");
+  EXPECT_EQ(writer->GetErrorCode(), vtkErrorCode::CannotOpenFileError);
+}
+
+TEST(WriterFailures, WrongExtensionArrayOrInput)
+{
+  const auto image = Noise(20, 10);
+  vtkNew<vtkHeightFieldWriter> writer;
+  EXPECT_TRUE(Contains(Fail(writer, OutputPath("x.tif")), "no input"));
+  writer->SetInputData(image);
+  EXPECT_TRUE(Contains(Fail(writer, ""), "SetFileName"));
+  EXPECT_TRUE(Contains(Fail(writer, OutputPath("x.jpg")), "end the name in .tif"));
+  writer->AddArray("Absent");
+  const std::string message = Fail(writer, OutputPath("x.tif"));
+  EXPECT_TRUE(Contains(message, "'Absent'; choose from: Elevation, Light, Colors")) << message;
+
+  vtkNew<vtkHeightFieldPictureWriter> picture;
+  picture->SetInputData(image);
+  EXPECT_TRUE(Contains(Fail(picture, OutputPath("x.gif")), ".png, .exr or .tif"));
+  EXPECT_TRUE(Contains(Fail(picture, OutputPath("x.png")), "unsigned char for .png"));
+  picture->SetArrayName("Colors");
+  EXPECT_TRUE(Contains(Fail(picture, OutputPath("x.exr")), "float for .exr"));
+
+  vtkNew<vtkImageData> volume;
+  volume->SetDimensions(3, 3, 3);
+  volume->AllocateScalars(VTK_FLOAT, 1);
+  vtkNew<vtkHeightFieldWriter> flat;
+  flat->SetInputData(volume);
+  EXPECT_TRUE(Contains(Fail(flat, OutputPath("x.tif")), "3 layers"));
+}
+
+// A crop made without the reader would be written to the wrong place.
+TEST(WriterFailures, StaleGeoreference)
+{
+  const auto image = Noise(20, 10);
+  skyline::Georeference place;
+  place.Columns = 40;
+  place.Rows = 10;
+  skyline::StoreGeoreference(place, image);
+  vtkNew<vtkHeightFieldWriter> writer;
+  writer->SetInputData(image);
+  EXPECT_TRUE(Contains(Fail(writer, OutputPath("x.tif")), "40 x 10 posts, the input has 20 x 10"));
+}
+
+TEST(WriterFailures, FailedInputWritesNothing)
+{
+  const std::string folder = FreshFolder("upstream");
+  vtkNew<vtkHeightFieldReader> reader;
+  reader->SetFileName((folder + "/absent.tif").c_str());
+  vtkNew<vtkHeightFieldWriter> writer;
+  writer->SetInputConnection(reader->GetOutputPort());
+  const Errors upstream(reader);
+  const Errors errors(writer);
+  writer->SetFileName((folder + "/out.tif").c_str());
+  EXPECT_EQ(writer->Write(), 0);
+  EXPECT_EQ(upstream.Count(), 1u);
+  EXPECT_EQ(errors.Count(), 0u);
+  EXPECT_NE(writer->GetErrorCode(), vtkErrorCode::NoError);
+  EXPECT_TRUE(FilesIn(folder).empty());
+}
+
+TEST(WriterFailures, AbortLeavesNothing)
+{
+  const std::string folder = FreshFolder("abort");
+  const auto image = Noise(700, 600);
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* object, unsigned long, void*, void*)
+    { vtkAlgorithm::SafeDownCast(object)->SetAbortExecute(1); });
+  for (const Way& way : AllWays(image))
+  {
+    const std::string file = folder + "/" + way.Name;
+    const Errors errors(way.Sink);
+    const unsigned long tag = way.Sink->AddObserver(vtkCommand::ProgressEvent, stop);
+    way.Sink->SetFileName(file.c_str());
+    EXPECT_EQ(way.Sink->Write(), 0) << way.Name;
+    EXPECT_EQ(errors.Count(), 0u) << errors.First();
+    EXPECT_EQ(way.Sink->GetErrorCode(), vtkErrorCode::UserError) << way.Name;
+    EXPECT_TRUE(FilesIn(folder).empty()) << way.Name;
+    // And the next try works.
+    way.Sink->RemoveObserver(tag);
+    way.Sink->SetAbortExecute(0);
+    EXPECT_EQ(way.Sink->Write(), 1) << way.Name;
+    std::filesystem::remove(file);
+  }
+}
+
+TEST(WriterFailures, SignalLeavesNothing)
+{
+  const std::string folder = FreshFolder("interrupt");
+  const auto image = Noise(300, 200);
+  for (const Way& way : AllWays(image))
+  {
+    const pid_t child = ::fork();
+    if (child == 0)
+    {
+      std::signal(SIGINT,
+        [](int)
+        {
+          skyline::RemoveTemporaries();
+          ::_exit(130);
+        });
+      vtkNew<vtkCallbackCommand> interrupt;
+      interrupt->SetCallback([](vtkObject*, unsigned long, void*, void*) { ::raise(SIGINT); });
+      way.Sink->AddObserver(vtkCommand::ProgressEvent, interrupt);
+      way.Sink->SetFileName((folder + "/" + way.Name).c_str());
+      way.Sink->Write();
+      ::_exit(1);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFEXITED(status)) << way.Name;
+    EXPECT_EQ(WEXITSTATUS(status), 130) << way.Name;
+    EXPECT_TRUE(FilesIn(folder).empty()) << way.Name;
+  }
+}
+
+TEST(WriterFailures, ProgressRises)
+{
+  const std::string folder = FreshFolder("progress");
+  const auto image = Noise(700, 600);
+  for (const Way& way : AllWays(image))
+  {
+    std::vector<double> seen;
+    vtkNew<vtkCallbackCommand> watch;
+    watch->SetClientData(&seen);
+    watch->SetCallback(
+      [](vtkObject* object, unsigned long, void* list, void*)
+      {
+        static_cast<std::vector<double>*>(list)->push_back(
+          vtkAlgorithm::SafeDownCast(object)->GetProgress());
+      });
+    way.Sink->AddObserver(vtkCommand::ProgressEvent, watch);
+    way.Sink->SetFileName((folder + "/" + way.Name).c_str());
+    EXPECT_EQ(way.Sink->Write(), 1);
+    EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end())) << way.Name;
+    ASSERT_FALSE(seen.empty());
+    EXPECT_EQ(seen.back(), 1.0) << way.Name;
+  }
+}

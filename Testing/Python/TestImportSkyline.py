@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`import skyline` gives every class of the three wrapped rooms, and they work as a pipeline."""
+
+import unittest
+
+import skyline
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+
+CLASSES = [
+    "vtkHeightFieldReader", "vtkHeightFieldWriter", "vtkHeightFieldPictureWriter",
+    "vtkHeightFieldAlgorithm", "vtkHeightFieldHorizon", "vtkHeightFieldSkyView",
+    "vtkHeightFieldSunShadow", "vtkHeightFieldShading",
+]
+
+
+class TestImportSkyline(unittest.TestCase):
+    def test_classes(self):
+        for name in CLASSES:
+            self.assertTrue(hasattr(skyline, name), name)
+
+    def test_flat_field_has_a_level_horizon(self):
+        image = vtkImageData()
+        image.SetDimensions(5, 4, 1)
+        image.AllocateScalars(10, 1)  # VTK_FLOAT
+        heights = vtk_to_numpy(image.GetPointData().GetScalars())
+        heights[:] = 100.0
+
+        horizon = skyline.vtkHeightFieldHorizon()
+        horizon.SetNumberOfAzimuths(4)
+        horizon.SetInputData(image)
+        horizon.Update()
+        result = horizon.GetOutput().GetPointData().GetArray("HorizonElevation")
+        degrees = vtk_to_numpy(result).reshape(4, 5, 4)
+        # Row 0 is the south edge: nothing lies south of it, level ground in the other directions.
+        self.assertEqual(list(degrees[0, 2]), [0.0, 0.0, -90.0, 0.0])
+        self.assertEqual(list(degrees[2, 2]), [0.0, 0.0, 0.0, 0.0])
+
+
+if __name__ == "__main__":
+    unittest.main()

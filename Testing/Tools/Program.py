@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of the command line share: running the program, making and reading rasters.
+
+Each test file is run as `python3 TestX.py PROGRAM DATA`: the built program and Testing/Data.
+"""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SKIPPED = 77  # what ctest counts as skipped
+
+try:
+    import numpy as np
+    from osgeo import gdal, osr
+except ImportError as missing:
+    print("skipped:", missing, "(install python3-gdal)")
+    sys.exit(SKIPPED)
+
+gdal.UseExceptions()
+osr.UseExceptions()
+
+PROGRAM = ""
+DATA = ""
+UTM10 = 32610  # WGS 84 / UTM zone 10N
+NODATA = -9999.0
+
+
+def make(path, heights, step=(30.0, 30.0), corner=(500000.0, 5100000.0), epsg=None, wkt=None,
+         nodata=None, south_up=False, kind=gdal.GDT_Float64, unit=None):
+    """Writes heights (row 0 = south edge) as a GeoTIFF; `corner` is the outer south-west corner."""
+    rows, columns = heights.shape
+    driver = gdal.GetDriverByName("GTiff")
+    raster = driver.Create(path, columns, rows, 1, kind)
+    if south_up:
+        raster.SetGeoTransform((corner[0], step[0], 0.0, corner[1], 0.0, step[1]))
+    else:
+        raster.SetGeoTransform(
+            (corner[0], step[0], 0.0, corner[1] + rows * step[1], 0.0, -step[1]))
+    if epsg:
+        crs = osr.SpatialReference()
+        crs.ImportFromEPSG(epsg)
+        raster.SetProjection(crs.ExportToWkt())
+    if wkt:
+        raster.SetProjection(wkt)
+    band = raster.GetRasterBand(1)
+    if nodata is not None:
+        band.SetNoDataValue(nodata)
+        heights = np.where(np.isnan(heights), nodata, heights)
+    if unit:
+        band.SetUnitType(unit)
+    band.WriteArray(heights if south_up else heights[::-1])
+    raster = None
+    return path
+
+
+def read(path):
+    """Values as (bands, rows, columns) of doubles, row 0 = south edge, NaN where nodata."""
+    raster = gdal.Open(path)
+    values = raster.ReadAsArray().astype(float)
+    values = values.reshape(-1, raster.RasterYSize, raster.RasterXSize)
+    nodata = raster.GetRasterBand(1).GetNoDataValue()
+    if nodata is not None:
+        values[values == nodata] = np.nan
+    return values if raster.GetGeoTransform()[5] > 0 else values[:, ::-1]
+
+
+def hills(rows, columns, seed=1, relief=300.0):
+    """Terrain of a few waves; the same for the same seed."""
+    random = np.random.default_rng(seed)
+    y, x = np.mgrid[0:rows, 0:columns]
+    heights = np.zeros((rows, columns))
+    for k in range(1, 7):
+        angle, phase = random.uniform(0.0, 2.0 * np.pi, 2)
+        wave = 0.04 * k * (x * np.cos(angle) + y * np.sin(angle)) + phase
+        heights += relief / k * np.sin(wave)
+    return heights + 1000.0
+
+
+class ToolTest(unittest.TestCase):
+    """Runs the program in a folder of its own."""
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp(prefix="skyline-tools-")
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def files(self):
+        return sorted(os.listdir(self.folder))
+
+    def run_program(self, *arguments, **options):
+        """Returns the finished process, with text output. Nothing may hang."""
+        return subprocess.run([PROGRAM, *map(str, arguments)], stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True, timeout=300, cwd=self.folder,
+                              **options)
+
+    def succeed(self, *arguments, **options):
+        done = self.run_program(*arguments, **options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr, "", "a command that succeeds without a terminal is silent")
+        return done
+
+    def refused(self, code, *arguments, says="", **options):
+        """The command exits with `code`, one line on standard error, and leaves no new file."""
+        before = self.files()
+        done = self.run_program(*arguments, **options)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertEqual(done.stdout, "")
+        lines = done.stderr.splitlines()
+        self.assertEqual(len(lines), 1, done.stderr)
+        self.assertTrue(lines[0].startswith("skyline: "), lines[0])
+        self.assertIn(says, lines[0])
+        self.assertEqual(self.files(), before)
+        return lines[0]
+
+
+def main():
+    """Reads the two arguments of every test file, then runs its tests."""
+    global PROGRAM, DATA
+    if len(sys.argv) < 3:
+        sys.exit("usage: " + sys.argv[0] + " PROGRAM DATA [unittest options]")
+    PROGRAM, DATA = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+    unittest.main(module="__main__", argv=[sys.argv[0]] + sys.argv[3:])

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""SIGINT and SIGTERM at any moment: exit 1, one line, no file, soon."""
+import signal
+import subprocess
+import time
+
+import Program
+from Program import ToolTest, UTM10, hills, make
+
+# Seconds from the signal to the end: the patience of Tools/Interrupt.h, and a loaded machine.
+SOON = 10.0
+
+# Moments tried, from before the program's start to after its end.
+STEPS = 20
+
+
+class Interrupt(ToolTest):
+    def start(self, *arguments):
+        return subprocess.Popen([Program.PROGRAM, *arguments], stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE, text=True, cwd=self.folder)
+
+    def test_in_the_middle_of_long_work(self):
+        make(self.path("dem.tif"), hills(1200, 1100), epsg=UTM10)
+        for command, options in [("sky-view", ["--azimuths", "20000"]),
+                                 ("sky-view", ["--azimuths", "20000", "--method", "sweep"]),
+                                 ("shade", ["--azimuths", "20000"])]:
+            for number in [signal.SIGINT, signal.SIGTERM]:
+                with self.subTest(command=command, options=options, signal=number):
+                    running = self.start(command, "dem.tif", "-o", "out.tif", *options)
+                    time.sleep(2.0)
+                    self.assertIsNone(running.poll(), "the work was too short to interrupt")
+                    sent = time.monotonic()
+                    running.send_signal(number)
+                    _, text = running.communicate(timeout=60)
+                    self.assertLess(time.monotonic() - sent, SOON)
+                    self.assertEqual(running.returncode, 1)
+                    self.assertEqual(text, "skyline: interrupted\n")
+                    self.assertEqual(self.files(), ["dem.tif"])
+
+    def test_at_any_moment_there_is_a_whole_file_or_none(self):
+        dem = make(self.path("dem.tif"), hills(300, 280), epsg=UTM10)
+        start = time.monotonic()
+        self.succeed("horizon", dem, "-o", self.path("whole.tif"), "--azimuths", "48")
+        duration = time.monotonic() - start
+        whole = Program.read(self.path("whole.tif"))
+        ends = set()
+        for step in range(STEPS):
+            out = self.path("out%d.tif" % step)
+            running = self.start("horizon", dem, "-o", out, "--azimuths", "48")
+            time.sleep(1.2 * duration * step / STEPS)
+            running.send_signal(signal.SIGINT)
+            _, text = running.communicate(timeout=60)
+            ends.add(running.returncode)
+            if running.returncode == 0:
+                self.assertTrue(
+                    Program.np.array_equal(Program.read(out), whole, equal_nan=True))
+            else:
+                # Before main begins, the signal does what it does to every program.
+                self.assertIn(running.returncode, [1, -signal.SIGINT])
+                self.assertIn(text, ["skyline: interrupted\n", ""])
+                self.assertNotIn("out%d.tif" % step, self.files())
+            self.assertEqual([name for name in self.files() if "part" in name], [])
+        self.assertIn(1, ends)
+
+
+if __name__ == "__main__":
+    Program.main()

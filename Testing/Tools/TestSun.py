@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""skyline sun: the printed position, and the map of sun visibility."""
+import os
+
+import numpy as np
+
+import Program
+from Program import ToolTest, UTM10, gdal, hills, make, read
+
+# The positions must agree with NREL's worked example to 0.0003 degrees.
+POSITION_TOLERANCE = 3e-4
+
+
+class Position(ToolTest):
+    def position(self, *arguments):
+        """The printed `name: value unit` lines as a dictionary."""
+        values = {}
+        for line in self.succeed("sun", *arguments).stdout.splitlines():
+            name, text = line.split(": ")
+            value, unit = text.split(" ")
+            if name == "time":
+                self.assertEqual(unit, "UTC")
+                values[name] = value
+            else:
+                self.assertIn(unit, ["degree", "metre"])
+                values[name] = float(value)
+        return values
+
+    def test_nrel_worked_example(self):
+        # Reda and Andreas, NREL/TP-560-34302, appendix A.5: 2003-10-17 12:30:30 at UTC-7, 39.742476
+        # north, 105.1786 west, 1830.14 m; azimuth 194.34024, zenith 50.11162 after a refraction of
+        # 0.01633 degrees.
+        step = 0.001
+        dem = make(self.path("dem.tif"), np.full((3, 3), 1830.14), step=(step, step),
+                   corner=(-105.1786 - 1.5 * step, 39.742476 - 1.5 * step), epsg=4326)
+        sun = self.position(dem, "--time", "2003-10-17T12:30:30-07:00")
+        self.assertAlmostEqual(sun["azimuth"], 194.34024, delta=POSITION_TOLERANCE)
+        self.assertAlmostEqual(sun["elevation"], 90.0 - 50.11162 - 0.01633,
+                               delta=POSITION_TOLERANCE)
+        # Its air, 820 hPa and 11 C, bends 3 % less than the standard atmosphere's at that height.
+        self.assertAlmostEqual(sun["refracted elevation"], 90.0 - 50.11162, delta=0.001)
+        # 0.99654 astronomical units away.
+        self.assertAlmostEqual(sun["angular radius"], 0.26645 / 0.99654, delta=1e-3)
+        self.assertAlmostEqual(sun["grid azimuth"], sun["azimuth"], delta=1e-3)
+        self.assertAlmostEqual(sun["longitude"], -105.1786, delta=1e-5)
+        self.assertAlmostEqual(sun["latitude"], 39.742476, delta=1e-5)
+        self.assertAlmostEqual(sun["height"], 1830.14, delta=0.01)
+        self.assertEqual(sun["time"], "2003-10-17T19:30:30Z")
+
+    def test_the_first_four_lines_are_the_position(self):
+        dem = make(self.path("dem.tif"), hills(5, 6), epsg=UTM10)
+        lines = self.succeed("sun", dem, "--time", "2026-06-21T06:00Z").stdout.splitlines()
+        names = [line.split(":")[0] for line in lines[:4]]
+        self.assertEqual(
+            names, ["azimuth", "elevation", "refracted elevation", "angular radius"])
+
+    def test_time_zones(self):
+        dem = make(self.path("dem.tif"), hills(5, 6), epsg=UTM10)
+        utc = self.position(dem, "--time", "2026-06-21T16:00Z")
+        for same in ["2026-06-21T16:00", "2026-06-21T18:00+02:00", "2026-06-21T09:00-07:00"]:
+            self.assertEqual(self.position(dem, "--time", same), utc)
+
+    def test_grid_north_is_turned_by_the_convergence(self):
+        # 2 degrees east of UTM's central meridian at 46 north: convergence 2 sin 46 = 1.44 degrees.
+        x, y = 654800.0, 5095500.0
+        dem = make(self.path("dem.tif"), hills(21, 21), corner=(x, y), epsg=UTM10)
+        sun = self.position(dem, "--time", "2026-06-21T16:00Z")
+        offset = sun["longitude"] + 123.0
+        self.assertAlmostEqual(offset, 2.0, delta=0.05)
+        convergence = np.degrees(
+            np.arctan(np.tan(np.radians(offset)) * np.sin(np.radians(sun["latitude"]))))
+        self.assertAlmostEqual(
+            sun["azimuth"] - sun["grid azimuth"], convergence, delta=2e-3)
+
+    def test_direction_counts_from_grid_north(self):
+        dem = make(self.path("dem.tif"), hills(21, 21), corner=(654800.0, 5095500.0), epsg=UTM10)
+        sun = self.position(dem, "--sun", "100,20")
+        self.assertEqual(sun["grid azimuth"], 100.0)
+        self.assertAlmostEqual(sun["azimuth"], 101.44, delta=0.05)
+        self.assertEqual(sun["elevation"], 20.0)
+        self.assertEqual(sun["refracted elevation"], 20.0)
+        self.assertEqual(sun["angular radius"], 0.26645)
+
+    def test_defaults_without_a_crs(self):
+        sun = self.position(make(self.path("dem.tif"), hills(5, 6)))
+        self.assertEqual(sun["azimuth"], 315.0)
+        self.assertEqual(sun["grid azimuth"], 315.0)
+        self.assertEqual(sun["elevation"], 45.0)
+        self.assertNotIn("longitude", sun)
+
+    def test_azimuths_wrap(self):
+        dem = make(self.path("dem.tif"), hills(5, 6))
+        for azimuth, wrapped in [("-45", 315.0), ("360", 0.0), ("725", 5.0), ("-3600", 0.0)]:
+            self.assertEqual(self.position(dem, "--sun", azimuth + ",10")["azimuth"], wrapped)
+
+    def test_other_bodies_have_no_time(self):
+        moon = 'GEOGCS["Moon",DATUM["Moon",SPHEROID["Moon",1737400,0]],PRIMEM["Reference",0],' \
+               'UNIT["degree",0.0174532925199433]]'
+        dem = make(self.path("dem.tif"), hills(5, 6), step=(0.01, 0.01), corner=(3.0, 20.0),
+                   wkt=moon)
+        self.refused(1, "sun", dem, "--time", "2026-06-21T06:00Z", says="--sun")
+        self.assertEqual(self.position(dem, "--sun", "10,20")["elevation"], 20.0)
+
+    def test_only_the_middle_of_a_large_file_is_read(self):
+        # 30000 x 30000 posts of a sparse file: reading all takes seconds and gigabytes.
+        raster = gdal.GetDriverByName("GTiff").Create(
+            self.path("large.tif"), 30000, 30000, 1, gdal.GDT_Float64,
+            ["SPARSE_OK=TRUE", "TILED=YES"])
+        raster.SetGeoTransform((0.0, 1.0, 0.0, 30000.0, 0.0, -1.0))
+        raster = None
+
+        def little_memory():
+            import resource
+            limit = 4 << 30  # bytes; the heights alone would be 7.2e9
+            resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+
+        done = self.run_program("sun", self.path("large.tif"), preexec_fn=little_memory)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+
+class Visibility(ToolTest):
+    def visibility(self, dem, *options, out="out.tif"):
+        self.succeed("sun", dem, "-o", self.path(out), *options)
+        return read(self.path(out))[0]
+
+    def test_band(self):
+        heights = hills(15, 14)
+        heights[3, 4] = np.nan
+        dem = make(self.path("dem.tif"), heights, epsg=UTM10, nodata=-9999.0)
+        values = self.visibility(dem)
+        raster = gdal.Open(self.path("out.tif"))
+        self.assertEqual(raster.RasterCount, 1)
+        band = raster.GetRasterBand(1)
+        self.assertEqual(band.GetDescription(), "SunVisibility")
+        self.assertEqual(band.GetUnitType(), "1")
+        self.assertEqual(band.DataType, gdal.GDT_Float32)
+        self.assertEqual(band.GetNoDataValue(), -9999.0)
+        self.assertTrue(np.array_equal(np.isnan(values), np.isnan(heights)))
+        self.assertTrue(np.nanmin(values) >= 0.0 and np.nanmax(values) <= 1.0)
+
+    def test_shadow_of_a_wall(self):
+        # A wall of 100 m in the west, the sun there at 30 degrees: shadow to 173.2 m.
+        heights = np.zeros((21, 61))
+        heights[:, 0] = 100.0
+        dem = make(self.path("dem.tif"), heights, step=(10.0, 10.0))
+        lit = self.visibility(dem, "--sun", "270,30")[10]
+        distance = 10.0 * np.arange(61)
+        self.assertTrue(np.all(lit[(distance > 0) & (distance < 170.0)] == 0.0))
+        self.assertTrue(np.all(lit[distance > 177.0] == 1.0))
+        east = self.visibility(dem, "--sun", "90,30")[10]
+        self.assertTrue(np.all(east[1:] == 1.0))
+
+    def test_penumbra_grows_with_the_sun(self):
+        heights = np.zeros((9, 201))
+        heights[:, 0] = 100.0
+        dem = make(self.path("dem.tif"), heights, step=(1.0, 1.0))
+        widths = []
+        for radius in ["0", "0.26645", "2"]:
+            lit = self.visibility(dem, "--sun", "270,45", "--sun-radius", radius)[4]
+            widths.append(int(np.count_nonzero((lit > 0.0) & (lit < 1.0))))
+            self.assertTrue(np.all(np.diff(lit[1:]) >= 0.0))
+        # d tan(elevation) = 100 m: the shadow's edge moves 200 m a radian, over the diameter.
+        self.assertLessEqual(widths[0], 1)
+        self.assertAlmostEqual(widths[1], 200.0 * np.radians(2 * 0.26645), delta=1.5)
+        self.assertAlmostEqual(widths[2], 200.0 * np.radians(2 * 2.0), delta=2.0)
+
+    def test_limb_darkening_changes_penumbrae_alone(self):
+        heights = np.zeros((9, 201))
+        heights[:, 0] = 100.0
+        dem = make(self.path("dem.tif"), heights, step=(1.0, 1.0))
+        plain = self.visibility(dem, "--sun", "270,45", "--sun-radius", "3")
+        dark = self.visibility(dem, "--sun", "270,45", "--sun-radius", "3", "--limb-darkening",
+                               out="dark.tif")
+        self.assertTrue(np.all((dark == plain) | ((plain > 0.0) & (plain < 1.0))))
+        self.assertGreater(np.abs(dark - plain).max(), 0.005)
+        self.assertLess(np.abs(dark - plain).max(), 0.1)
+
+    def test_sun_under_and_over_everything(self):
+        dem = make(self.path("dem.tif"), hills(15, 14))
+        self.assertEqual(np.max(self.visibility(dem, "--sun", "120,-30")), 0.0)
+        self.assertEqual(np.min(self.visibility(dem, "--sun", "120,90")), 1.0)
+
+    def test_time_and_the_same_direction_agree(self):
+        dem = os.path.join(Program.DATA, "dem", "SainteHelens.tif")
+        text = self.succeed("sun", dem, "--time", "2026-06-21T14:00Z").stdout
+        values = {line.split(": ")[0]: line.split(": ")[1].split(" ")[0]
+                  for line in text.splitlines()}
+        by_time = self.visibility(dem, "--time", "2026-06-21T14:00Z", out="time.tif")
+        direction = values["grid azimuth"] + "," + values["refracted elevation"]
+        by_direction = self.visibility(
+            dem, "--sun", direction, "--sun-radius", values["angular radius"], out="sun.tif")
+        shadow = np.nanmean(by_time < 0.5)
+        self.assertTrue(0.01 < shadow < 0.9)
+        # 10 by 14 km: the sun's azimuth turns by 0.1 degrees, a penumbra by a post or two.
+        self.assertLess(np.nanmean(np.abs(by_time - by_direction)), 0.005)
+
+    def test_threads_change_nothing(self):
+        dem = make(self.path("dem.tif"), hills(90, 70))
+        one = self.visibility(dem, "--sun", "200,10", "--threads", "1")
+        two = self.visibility(dem, "--sun", "200,10", "--threads", "2")
+        self.assertTrue(np.array_equal(one, two))
+
+
+if __name__ == "__main__":
+    Program.main()

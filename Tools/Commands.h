@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The commands of the program; each adds itself, its options and its work.
+#ifndef skyline_Commands_h
+#define skyline_Commands_h
+
+#include <CLI/CLI.hpp>
+
+namespace skyline
+{
+
+void AddHorizon(CLI::App& program); ///< the horizon of every post, one band an azimuth
+void AddSkyView(CLI::App& program); ///< how much sky every post sees, one band a quantity
+void AddSun(CLI::App& program);     ///< where the sun is, and which posts it reaches
+void AddShade(CLI::App& program);   ///< a picture of the lit terrain
+
+} // namespace skyline
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading terrain and writing results.
+#ifndef skyline_Files_h
+#define skyline_Files_h
+
+#include "Georeference.h"
+#include "Options.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkImageData;
+
+namespace skyline
+{
+
+/// The heights, with their georeference in field data. Throws Failure as the reader words it.
+vtkSmartPointer<vtkImageData> ReadTerrain(const TerrainOptions& options, const Talk& talk);
+
+/// The middle of a height field.
+struct Center
+{
+  Georeference Place;
+  double Height = 0.0;                    ///< metres, of the post nearest to the middle; 0: missing
+  double Longitude = 0.0, Latitude = 0.0; ///< degrees; 0 without a CRS
+};
+Center CenterOf(vtkImageData* terrain);
+
+/// The same, reading no more of the file than the middle.
+Center ReadCenter(const TerrainOptions& options, const Talk& talk);
+
+/// Before any work: throws Failure if `output` cannot become a file, or is the input.
+void CheckOutput(const std::string& output, const std::string& input);
+
+/// Writes point arrays of an updated algorithm's output as the bands of a GeoTIFF. Throws Failure,
+/// and leaves no file, if that fails.
+void WriteRaster(vtkAlgorithm* source, const std::vector<std::string>& arrays,
+  const OutputOptions& options, const Talk& talk);
+
+/// Kinds of picture files.
+enum class PictureFormat
+{
+  Png,
+  Exr,
+  Tiff
+};
+
+/// By the file's name; throws Failure for another one.
+PictureFormat FormatOf(const std::string& file);
+
+/// Writes the picture that vtkHeightFieldShading made: Radiance as EXR, Picture as PNG or GeoTIFF.
+void WritePicture(
+  vtkAlgorithm* source, PictureFormat format, const OutputOptions& options, const Talk& talk);
+
+} // namespace skyline
+
+#endif

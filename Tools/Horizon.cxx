@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Commands.h"
+
+#include "Files.h"
+#include "Options.h"
+
+#include "vtkHeightFieldHorizon.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+
+#include <memory>
+
+namespace
+{
+
+struct HorizonCommand
+{
+  skyline::TerrainOptions Terrain;
+  skyline::OutputOptions Output;
+  skyline::HorizonOptions Horizon;
+  skyline::Talk Talk;
+
+  void Run() const
+  {
+    skyline::PrepareVtk(this->Talk);
+    skyline::CheckOutput(this->Output.File, this->Terrain.File);
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+
+    vtkNew<vtkHeightFieldHorizon> horizon;
+    horizon->SetInputData(terrain);
+    horizon->SetNumberOfAzimuths(this->Horizon.Azimuths);
+    this->Horizon.Apply(horizon.Get());
+    skyline::RunPass(horizon, "horizon", this->Talk);
+
+    skyline::WriteRaster(horizon, { "HorizonElevation" }, this->Output, this->Talk);
+  }
+};
+
+} // namespace
+
+namespace skyline
+{
+
+void AddHorizon(CLI::App& program)
+{
+  CLI::App* app = program.add_subcommand("horizon", "Elevation angle of the horizon around every post");
+  const auto command = std::make_shared<HorizonCommand>();
+  app->footer("Writes a GeoTIFF of float32 degrees, -90 to 90: band k is azimuth 360 (k - 1) / N "
+              "clockwise from grid\nnorth, -90 where no terrain lies in that direction.");
+  command->Terrain.AddTo(*app);
+  command->Output.AddTo(*app, "GeoTIFF to write");
+  command->Horizon.AddTo(*app);
+  AddTalk(*app, command->Talk);
+  app->callback([command] { command->Run(); });
+}
+
+} // namespace skyline

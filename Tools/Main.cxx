@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The program `skyline`: horizons, sky view and shadows of rasters of heights.
+#include "Commands.h"
+#include "Interrupt.h"
+#include "IoFailure.h"
+#include "Passes.h"
+
+#include <CLI/CLI.hpp>
+
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+namespace
+{
+
+constexpr int RuntimeFailure = 1;
+constexpr int WrongUsage = 2;
+
+int Fail(const std::string& reason, int code)
+{
+  std::cerr << "skyline: " << skyline::FirstLine(reason) << std::endl;
+  return code;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  skyline::CatchInterrupts();
+  CLI::App program("Horizons, sky view and soft shadows of rasters of heights", "skyline");
+  program.set_version_flag("--version", "skyline " SKYLINE_VERSION);
+  program.require_subcommand(1);
+  program.footer("skyline COMMAND --help tells the options of a command.\n"
+                 "Exit status: 0 done; 1 failed, with the reason in one line on standard error and "
+                 "no file left; 2 wrong usage.");
+  skyline::AddHorizon(program);
+  skyline::AddSkyView(program);
+  skyline::AddSun(program);
+  skyline::AddShade(program);
+  try
+  {
+    program.parse(argc, argv); // runs the command
+  }
+  catch (const CLI::Success& wish) // --help, --version
+  {
+    return program.exit(wish);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return Fail(std::string(error.what()) + " (see skyline --help)", WrongUsage);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return Fail("not enough memory", RuntimeFailure);
+  }
+  catch (const std::exception& error)
+  {
+    return Fail(error.what(), RuntimeFailure);
+  }
+  return 0;
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options.h"
+
+namespace skyline
+{
+
+void TerrainOptions::AddTo(CLI::App& command)
+{
+  command.add_option("DEM", this->File, "Raster of heights: any file that GDAL opens")
+    ->required()
+    ->type_name("");
+  command.add_option("--band", this->Band, "Band of the raster, from 1")
+    ->type_name("N")
+    ->capture_default_str();
+}
+
+void OutputOptions::AddTo(CLI::App& command, const std::string& what, bool required)
+{
+  command.add_option("-o,--output", this->File, what)->required(required)->type_name("FILE");
+  command.add_flag("--cloud-optimized", this->CloudOptimized,
+    "Write a cloud-optimized GeoTIFF: tiled, with overviews");
+}
+
+void HorizonOptions::AddTo(CLI::App& command, bool azimuths)
+{
+  if (azimuths)
+  {
+    command
+      .add_option("--azimuths", this->Azimuths,
+        "Azimuths around every post, evenly spaced clockwise from grid north; 1 to 65536")
+      ->type_name("N")
+      ->capture_default_str();
+  }
+  command
+    .add_option("--method", this->Method,
+      "exact: every edge of the surface counts;\nfast: approximate far field, for smooth terrain "
+      "and previews;\nsweep: line sweeps, resampled to the posts")
+    ->check(CLI::IsMember({ "exact", "fast", "sweep" }))
+    ->type_name("NAME")
+    ->capture_default_str();
+  command
+    .add_option("--surface", this->Surface,
+      "Surface through the posts. triangles: cells split from south-west to north-east;\n"
+      "bilinear: bilinear cells, method exact alone")
+    ->check(CLI::IsMember({ "triangles", "bilinear" }))
+    ->type_name("NAME")
+    ->capture_default_str();
+  command.add_flag(
+    "--flat", this->Flat, "Ignore the curvature of the body (a raster without CRS is flat anyway)");
+  command
+    .add_option("--refraction", this->Refraction,
+      "Terrestrial refraction: radius of the Earth over that of a light ray; on the Earth alone")
+    ->type_name("K")
+    ->capture_default_str();
+  command
+    .add_option("--tolerance", this->Tolerance,
+      "Degrees by which method exact may miss the horizon, for speed; 0 or more")
+    ->type_name("DEG")
+    ->capture_default_str();
+}
+
+void AddTalk(CLI::App& command, Talk& talk)
+{
+  command.add_option("--threads", talk.Threads, "Threads; 0: one a processor. Results do not differ")
+    ->type_name("N")
+    ->check(CLI::Range(0, 4096))
+    ->capture_default_str();
+  command.add_flag("-q,--quiet", talk.Quiet, "No progress bar and no warnings");
+  command.add_flag("-v,--verbose", talk.Verbose, "Print the passes that ran and their times");
+}
+
+} // namespace skyline

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The options that commands share, in groups: a command adds the groups it uses.
+#ifndef skyline_Options_h
+#define skyline_Options_h
+
+#include "Passes.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace skyline
+{
+
+/// DEM, --band: what is read.
+struct TerrainOptions
+{
+  std::string File;
+  int Band = 1;
+  void AddTo(CLI::App& command);
+};
+
+/// -o, --cloud-optimized: what is written.
+struct OutputOptions
+{
+  std::string File;
+  bool CloudOptimized = false;
+  void AddTo(CLI::App& command, const std::string& what, bool required = true);
+};
+
+/// --azimuths, --method, --surface, --flat, --refraction, --tolerance: how horizons are found.
+struct HorizonOptions
+{
+  int Azimuths = 36;
+  std::string Method = "exact";
+  std::string Surface = "triangles";
+  bool Flat = false;
+  double Refraction = 0.13;
+  double Tolerance = 0.0;
+  void AddTo(CLI::App& command, bool azimuths = true);
+
+  /// Sets the properties that all filters of horizons share.
+  template <typename Filter>
+  void Apply(Filter* filter) const
+  {
+    filter->SetMethod(this->Method == "exact" ? Filter::EXACT
+        : this->Method == "fast"              ? Filter::FAST
+                                              : Filter::SWEEP);
+    filter->SetSurface(this->Surface == "triangles" ? Filter::TRIANGLES : Filter::BILINEAR);
+    filter->SetFlat(this->Flat);
+    filter->SetRefractionCoefficient(this->Refraction);
+    filter->SetTolerance(this->Tolerance);
+  }
+};
+
+/// --quiet, --verbose, --threads.
+void AddTalk(CLI::App& command, Talk& talk);
+
+} // namespace skyline
+
+#endif

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Passes.h"
+
+#include "Failure.h"
+#include "Interrupt.h"
+#include "IoFailure.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+#include <unistd.h>
+
+namespace
+{
+
+// The first error, and all warnings, since they were last taken.
+struct Messages
+{
+  std::string Error;
+  std::string Warning;
+
+  static void Keep(std::string& slot, const char* text)
+  {
+    if (slot.empty() && text)
+    {
+      slot = skyline::ReasonOf(text);
+    }
+  }
+};
+
+Messages& Heard()
+{
+  static Messages messages;
+  return messages;
+}
+
+// What objects without an observer of their own would print.
+class SilentWindow : public vtkOutputWindow
+{
+public:
+  static SilentWindow* New();
+  vtkTypeMacro(SilentWindow, vtkOutputWindow);
+  void DisplayText(const char*) override {}
+  void DisplayErrorText(const char* text) override { Messages::Keep(Heard().Error, text); }
+  void DisplayWarningText(const char* text) override { Messages::Keep(Heard().Warning, text); }
+  void DisplayGenericWarningText(const char* text) override
+  {
+    Messages::Keep(Heard().Warning, text);
+  }
+  void DisplayDebugText(const char*) override {}
+};
+vtkStandardNewMacro(SilentWindow);
+
+// One line on the terminal that fills up.
+class Bar
+{
+public:
+  Bar(const std::string& title, bool shown)
+    : Title(title)
+    , Shown(shown)
+  {
+  }
+  ~Bar()
+  {
+    if (this->Percent >= 0)
+    {
+      std::fputs("\r\033[K", stderr);
+    }
+  }
+  void Show(double progress)
+  {
+    const int percent = static_cast<int>(std::floor(100.0 * std::clamp(progress, 0.0, 1.0)));
+    if (!this->Shown || percent == this->Percent)
+    {
+      return;
+    }
+    this->Percent = percent;
+    constexpr int width = 40;
+    const std::string done(static_cast<std::size_t>(percent * width / 100), '=');
+    std::fprintf(stderr, "\r%-14s [%-*s] %3d %%", this->Title.c_str(), width, done.c_str(), percent);
+  }
+
+private:
+  std::string Title;
+  bool Shown;
+  int Percent = -1;
+};
+
+// Hears one algorithm.
+class Watch : public vtkCommand
+{
+public:
+  static Watch* New() { return new Watch; }
+  void Execute(vtkObject* caller, unsigned long event, void* data) override
+  {
+    switch (event)
+    {
+      case vtkCommand::ErrorEvent:
+        Messages::Keep(Heard().Error, static_cast<const char*>(data));
+        break;
+      case vtkCommand::WarningEvent:
+        Messages::Keep(Heard().Warning, static_cast<const char*>(data));
+        break;
+      default:
+        if (vtkAlgorithm* algorithm = vtkAlgorithm::SafeDownCast(caller))
+        {
+          const double progress = algorithm->GetProgress();
+          this->Progress->Show(progress);
+          if (skyline::Interrupted() && progress < 1.0) // a finished file stays
+          {
+            algorithm->SetAbortExecute(1);
+          }
+        }
+    }
+  }
+  Bar* Progress = nullptr;
+};
+
+} // namespace
+
+namespace skyline
+{
+
+void PrepareVtk(const Talk& talk)
+{
+  vtkNew<SilentWindow> window;
+  vtkOutputWindow::SetInstance(window);
+  if (talk.Threads > 0)
+  {
+    vtkSMPTools::Initialize(talk.Threads);
+  }
+}
+
+std::string ReasonOf(const std::string& text)
+{
+  std::size_t begin = text.find("): ");
+  begin = begin == std::string::npos ? 0 : begin + 3;
+  begin = std::min(text.find_first_not_of(" \t\r\n", begin), text.size());
+  return FirstLine(text.substr(begin));
+}
+
+void RunPass(vtkAlgorithm* algorithm, const std::string& title, const Talk& talk,
+  const std::function<void()>& update)
+{
+  StopIfInterrupted();
+  Heard() = Messages();
+  const auto start = std::chrono::steady_clock::now();
+  {
+    Bar bar(title, !talk.Quiet && isatty(STDERR_FILENO) != 0);
+    vtkNew<Watch> watch;
+    watch->Progress = &bar;
+    algorithm->AddObserver(vtkCommand::ErrorEvent, watch);
+    algorithm->AddObserver(vtkCommand::WarningEvent, watch);
+    algorithm->AddObserver(vtkCommand::ProgressEvent, watch);
+    algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, watch);
+    if (update)
+    {
+      update();
+    }
+    else
+    {
+      algorithm->Update();
+    }
+    algorithm->RemoveObserver(watch);
+    algorithm->GetExecutive()->RemoveObserver(watch);
+  }
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  if (algorithm->GetAbortExecute())
+  {
+    StopIfInterrupted();
+  }
+  if (!Heard().Error.empty())
+  {
+    throw Failure(Heard().Error);
+  }
+  if (algorithm->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    throw Failure(title + " failed, and gives no reason");
+  }
+  if (!Heard().Warning.empty() && !talk.Quiet)
+  {
+    std::cerr << "skyline: warning: " << Heard().Warning << "\n";
+  }
+  if (talk.Verbose)
+  {
+    std::fprintf(stderr, "%-14s %8.3f s\n", title.c_str(), time.count());
+  }
+}
+
+} // namespace skyline

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Commands.h"
+
+#include "ColorMaps.h"
+#include "Daylight.h"
+#include "Failure.h"
+#include "Files.h"
+#include "Options.h"
+#include "SunLight.h"
+
+#include "vtkDataArray.h"
+#include "vtkHeightFieldShading.h"
+#include "vtkHeightFieldSkyView.h"
+#include "vtkHeightFieldSunShadow.h"
+#include "vtkImageData.h"
+#include "vtkImageShiftScale.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+std::vector<std::string> MapNames()
+{
+  std::vector<std::string> names;
+  for (const skyline::ColorMap& map : skyline::ColorMaps())
+  {
+    names.emplace_back(map.Name);
+  }
+  return names;
+}
+
+std::string MapHelp()
+{
+  std::string help = "Colours of heights, each list growing lighter upwards";
+  for (const skyline::ColorMap& map : skyline::ColorMaps())
+  {
+    help += "\n" + std::string(map.Name) + ": " + std::string(map.Description);
+  }
+  return help;
+}
+
+struct ShadeCommand
+{
+  skyline::TerrainOptions Terrain;
+  skyline::OutputOptions Output;
+  skyline::HorizonOptions Horizon;
+  skyline::SunOptions Sun;
+  skyline::Talk Talk;
+  std::string Environment = "uniform";
+  std::string Colors{ skyline::ColorMaps()[0].Name };
+  std::string Exposure = "auto";
+  double Exaggeration = 1.0;
+  std::string View = "map";
+
+  // The heights times the exaggeration, which light and shadow then see.
+  vtkSmartPointer<vtkImageData> Exaggerate(vtkImageData* terrain) const
+  {
+    if (this->Exaggeration == 1.0)
+    {
+      return terrain;
+    }
+    vtkNew<vtkImageShiftScale> scale;
+    scale->SetInputData(terrain);
+    scale->SetScale(this->Exaggeration);
+    scale->SetOutputScalarTypeToDouble();
+    skyline::RunPass(scale, "exaggeration", this->Talk);
+    scale->GetOutput()->GetPointData()->GetScalars()->SetName("Elevation");
+    return scale->GetOutput();
+  }
+
+  vtkSmartPointer<vtkImageData> CastShadows(
+    vtkImageData* terrain, const skyline::SunLight& sun) const
+  {
+    vtkNew<vtkHeightFieldSunShadow> shadow;
+    shadow->SetInputData(terrain);
+    this->Horizon.Apply(shadow.Get());
+    skyline::ApplySun(this->Sun, sun, shadow);
+    skyline::RunPass(shadow, "sun", this->Talk);
+    return shadow->GetOutput();
+  }
+
+  vtkSmartPointer<vtkImageData> ViewSky(vtkImageData* terrain) const
+  {
+    vtkNew<vtkHeightFieldSkyView> sky;
+    sky->SetInputData(terrain);
+    sky->SetNumberOfAzimuths(this->Horizon.Azimuths);
+    this->Horizon.Apply(sky.Get());
+    sky->SetSkyViewFactorHorizontal(false);
+    sky->SetVisibleSkyFraction(false);
+    sky->SetPositiveOpenness(false);
+    skyline::RunPass(sky, "sky view", this->Talk);
+    return sky->GetOutput();
+  }
+
+  void SetExposure(vtkHeightFieldShading* shading) const
+  {
+    if (this->Exposure != "auto")
+    {
+      double stops = 0.0;
+      CLI::detail::lexical_cast(this->Exposure, stops);
+      shading->AutoExposureOff();
+      shading->SetExposure(stops);
+    }
+  }
+
+  void CheckOptions() const
+  {
+    if (!(this->Exaggeration > 0.0 && this->Exaggeration <= 1000.0))
+    {
+      throw skyline::Failure("exaggeration is out of range: above 0, up to 1000");
+    }
+    if (this->Environment.rfind("cie:", 0) == 0 && this->Environment != "cie:1")
+    {
+      throw skyline::Failure("environment " + this->Environment +
+        " comes with the lighting tables of a later version; use uniform, cie:1 or none");
+    }
+  }
+
+  void Run() const
+  {
+    skyline::PrepareVtk(this->Talk);
+    this->CheckOptions();
+    const skyline::PictureFormat format = skyline::FormatOf(this->Output.File);
+    skyline::CheckOutput(this->Output.File, this->Terrain.File);
+
+    const auto terrain = this->Exaggerate(skyline::ReadTerrain(this->Terrain, this->Talk));
+    const skyline::Center center = skyline::CenterOf(terrain);
+    const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
+
+    const bool air = !center.Place.OnBody() || center.Place.Earth;
+    skyline::Daylight light = skyline::ClearDaylight(sun.ApparentElevation, air);
+    vtkSmartPointer<vtkImageData> lit = terrain;
+    if (skyline::Luminance(light.SunIrradiance) > 0.0f)
+    {
+      lit = this->CastShadows(lit, sun);
+    }
+    if (this->Environment == "none")
+    {
+      light.SkyRadiance = skyline::Rgb{};
+    }
+    else
+    {
+      lit = this->ViewSky(lit);
+    }
+
+    vtkNew<vtkHeightFieldShading> shading;
+    shading->SetInputData(lit);
+    shading->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
+    shading->SetSunAzimuth(sun.GridAzimuth);
+    shading->SetSunElevation(sun.ApparentElevation);
+    shading->SetUseTime(sun.FromTime);
+    shading->SetTime(this->Sun.Time);
+    shading->SetSunIrradiance(
+      light.SunIrradiance[0], light.SunIrradiance[1], light.SunIrradiance[2]);
+    shading->SetSkyRadiance(light.SkyRadiance[0], light.SkyRadiance[1], light.SkyRadiance[2]);
+    shading->SetColorMap(this->Colors);
+    this->SetExposure(shading);
+    skyline::RunPass(shading, "shading", this->Talk);
+
+    skyline::WritePicture(shading, format, this->Output, this->Talk);
+  }
+};
+
+} // namespace
+
+namespace skyline
+{
+
+void AddShade(CLI::App& program)
+{
+  CLI::App* app = program.add_subcommand("shade", "A picture of the terrain in sun and sky");
+  const auto command = std::make_shared<ShadeCommand>();
+  command->Horizon.Azimuths = 72;
+  app->footer("Without light options: sun from azimuth 315, elevation 45, with soft shadows, under "
+              "a uniform sky.\nMissing posts are transparent. .png and .tif hold the tone-mapped "
+              "picture (sRGB, 8 bit; .tif with its\nplace on the map), .exr the linear light before "
+              "exposure.");
+  command->Terrain.AddTo(*app);
+  command->Output.AddTo(*app, "Picture to write: .png, .exr or .tif");
+  command->Sun.AddTo(*app);
+  app->add_option("--environment", command->Environment,
+       "The sky. uniform: equally bright all over;\ncie:1: CIE standard overcast sky, three times "
+       "as bright in the zenith as at the horizon;\nnone: black")
+    ->type_name("NAME")
+    ->check(CLI::Validator(
+      [](std::string& name) {
+        return name == "uniform" || name == "none" || name.rfind("cie:", 0) == 0
+          ? std::string()
+          : "no sky named " + name + "; use uniform, cie:1 or none";
+      },
+      ""))
+    ->capture_default_str();
+  app->add_option("--colors", command->Colors, MapHelp())
+    ->check(CLI::IsMember(MapNames()))
+    ->type_name("NAME")
+    ->capture_default_str();
+  app->add_option("--exposure", command->Exposure,
+       "auto, or stops: 0 shows level open ground as its colour, +1 twice as bright.\nHowever "
+       "bright, nothing burns out")
+    ->type_name("EV")
+    ->check(CLI::Validator(
+      [](std::string& text) {
+        double stops;
+        return text == "auto" || (CLI::detail::lexical_cast(text, stops) && std::isfinite(stops))
+          ? std::string()
+          : "needs auto or a number, not " + text;
+      },
+      ""))
+    ->capture_default_str();
+  app->add_option("--exaggeration", command->Exaggeration,
+       "Factor on heights, in shading and shadows alike; above 0, up to 1000")
+    ->type_name("F")
+    ->capture_default_str();
+  app->add_option("--view", command->View, "map: seen from above, one pixel a post")
+    ->check(CLI::IsMember({ "map" }))
+    ->type_name("NAME")
+    ->capture_default_str();
+  command->Horizon.AddTo(*app);
+  AddTalk(*app, command->Talk);
+  app->callback([command] { command->Run(); });
+}
+
+} // namespace skyline
