@@ -21,6 +21,7 @@
 #include <exception>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 #include <type_traits>
 
@@ -384,7 +385,9 @@ private:
       static_cast<std::int64_t>(std::clamp(ChunkBytes / (blockBytes * group), 1.0, 1e6));
     const int chunk = static_cast<int>(std::min<std::int64_t>(blocks * blockRows, rows));
     const std::size_t bandStride = static_cast<std::size_t>(columns) * chunk;
-    std::vector<T> buffer(bandStride * static_cast<std::size_t>(group));
+    const GSpacing lineBytes = static_cast<GSpacing>(sizeof(T)) * columns;
+    const GSpacing bandBytes = lineBytes * chunk;
+    std::vector<T> buffer(bandStride * group);
 
     for (int row = 0; row < rows; row += chunk)
     {
@@ -393,15 +396,11 @@ private:
       {
         const int groupBands = std::min(group, bands - first);
         this->Gather(buffer.data(), bandStride, row, count, first, groupBands);
-        std::vector<int> numbers;
-        for (int i = 0; i < groupBands; ++i)
-        {
-          numbers.push_back(first + i + 1);
-        }
-        const CPLErr failed = this->Dataset->RasterIO(GF_Write, 0, row, columns, count,
-          buffer.data(), columns, count, bufferType, groupBands, numbers.data(), sizeof(T),
-          static_cast<GSpacing>(sizeof(T)) * columns, static_cast<GSpacing>(sizeof(T) * bandStride),
-          nullptr);
+        std::vector<int> numbers(static_cast<std::size_t>(groupBands));
+        std::iota(numbers.begin(), numbers.end(), first + 1);
+        const CPLErr failed =
+          this->Dataset->RasterIO(GF_Write, 0, row, columns, count, buffer.data(), columns, count,
+            bufferType, groupBands, numbers.data(), sizeof(T), lineBytes, bandBytes, nullptr);
         this->Check(failed == CE_None);
         const double done = row + count * static_cast<double>(first + groupBands) / bands;
         this->Report(this->ProgressShare * done / rows);
@@ -410,23 +409,25 @@ private:
   }
 
   template <typename T>
-  void Gather(T* buffer, std::size_t bandStride, int row, int count, int firstBand, int bands) const
+  void Gather(T* buffer, std::size_t bandStride, int row, int count, int first, int bands) const
   {
-    for (int i = 0; i < bands;)
+    auto band = this->Content.Bands.begin() + first;
+    const auto end = band + bands;
+    while (band != end)
     {
       // Neighbouring bands of one array go together: the array is walked once.
-      const auto& sources = this->Content.Bands;
-      vtkDataArray* array = sources[static_cast<std::size_t>(firstBand + i)].Array;
+      vtkDataArray* array = band->Array;
       RowCopier<T> copier;
-      copier.Buffer = buffer + static_cast<std::size_t>(i) * bandStride;
+      copier.Buffer = buffer;
       copier.BandStride = bandStride;
       copier.Columns = this->Content.Columns;
       copier.TopRow = this->Content.Rows - 1 - row;
       copier.Count = count;
       copier.Nodata = static_cast<T>(this->Nodata);
-      for (; i < bands && sources[static_cast<std::size_t>(firstBand + i)].Array == array; ++i)
+      for (; band != end && band->Array == array; ++band)
       {
-        copier.Components.push_back(sources[static_cast<std::size_t>(firstBand + i)].Component);
+        copier.Components.push_back(band->Component);
+        buffer += bandStride;
       }
       Dispatch(array, copier);
     }

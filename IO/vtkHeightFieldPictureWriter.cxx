@@ -112,7 +112,7 @@ private:
   skyline::CheckedFile File;
 };
 
-OIIO::ImageSpec Describe(int columns, int rows, int channels, OIIO::TypeDesc type)
+OIIO::ImageSpec Describe(int columns, int rows, int channels, const OIIO::TypeDesc& type)
 {
   OIIO::ImageSpec spec(columns, rows, channels, type);
   spec.attribute("compression", "zip");

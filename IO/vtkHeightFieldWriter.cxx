@@ -18,13 +18,13 @@ constexpr int MostBands = 65535;
 
 std::string DefaultDescription(vtkDataArray* array, int component)
 {
-  const std::string name = array->GetName() ? array->GetName() : "";
-  if (array->GetNumberOfComponents() == 1)
+  std::string description = array->GetName() ? array->GetName() : "";
+  if (array->GetNumberOfComponents() > 1)
   {
-    return name;
+    const char* part = array->GetComponentName(component);
+    description += " " + (part ? part : std::to_string(component + 1));
   }
-  const char* part = array->GetComponentName(component);
-  return name + " " + (part ? part : std::to_string(component + 1));
+  return description;
 }
 
 std::string DefaultUnit(vtkDataArray* array)

@@ -146,7 +146,7 @@ public:
   /**
    * Level in ToneMap's input that AutoExposure gives the 98th percentile of luminance.
    */
-  static constexpr double AutoLevel = 0.76;
+  static constexpr double AutoLevel = 0.82;
 
   vtkMTimeType GetMTime() override;
 

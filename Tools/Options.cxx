@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options.h"
 
+#include "Failure.h"
+
 namespace skyline
 {
 
@@ -27,21 +29,21 @@ void HorizonOptions::AddTo(CLI::App& command, bool azimuths)
   {
     command
       .add_option("--azimuths", this->Azimuths,
-        "Azimuths around every post, evenly spaced clockwise from grid north; 1 to 65536")
+        "Azimuths around every post, evenly spaced clockwise from grid north; 1 to 3600")
       ->type_name("N")
       ->capture_default_str();
   }
   command
     .add_option("--method", this->Method,
-      "exact: every edge of the surface counts;\nfast: approximate far field, for smooth terrain "
-      "and previews;\nsweep: line sweeps, resampled to the posts")
+      "exact: every edge of the surface counts;\nfast: up to 0.2 degrees lower than exact;\n"
+      "sweep: line sweeps, resampled to the posts, off by degrees at places")
     ->check(CLI::IsMember({ "exact", "fast", "sweep" }))
     ->type_name("NAME")
     ->capture_default_str();
   command
     .add_option("--surface", this->Surface,
       "Surface through the posts. triangles: cells split from south-west to north-east;\n"
-      "bilinear: bilinear cells, method exact alone")
+      "bilinear: bilinear cells; not with method sweep")
     ->check(CLI::IsMember({ "triangles", "bilinear" }))
     ->type_name("NAME")
     ->capture_default_str();
@@ -49,14 +51,23 @@ void HorizonOptions::AddTo(CLI::App& command, bool azimuths)
     "--flat", this->Flat, "Ignore the curvature of the body (a raster without CRS is flat anyway)");
   command
     .add_option("--refraction", this->Refraction,
-      "Terrestrial refraction: radius of the Earth over that of a light ray; on the Earth alone")
+      "Terrestrial refraction, on the Earth alone: the Earth's radius over that of a light ray;\n"
+      "below 1")
     ->type_name("K")
     ->capture_default_str();
   command
     .add_option("--tolerance", this->Tolerance,
-      "Degrees by which method exact may miss the horizon, for speed; 0 or more")
+      "Degrees by which method exact may fall short of the horizon, for speed; 0 to 90")
     ->type_name("DEG")
     ->capture_default_str();
+}
+
+void HorizonOptions::Check() const
+{
+  if (!(this->Tolerance >= 0.0 && this->Tolerance <= 90.0))
+  {
+    throw Failure("the tolerance is out of range; give 0 to 90 degrees");
+  }
 }
 
 void AddTalk(CLI::App& command, Talk& talk)

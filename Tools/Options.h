@@ -39,10 +39,11 @@ struct HorizonOptions
   double Tolerance = 0.0;
   void AddTo(CLI::App& command, bool azimuths = true);
 
-  /// Sets the properties that all filters of horizons share.
+  /// Sets the properties that all filters of horizons share. Throws Failure for values out of range.
   template <typename Filter>
   void Apply(Filter* filter) const
   {
+    this->Check();
     filter->SetMethod(this->Method == "exact" ? Filter::EXACT
         : this->Method == "fast"              ? Filter::FAST
                                               : Filter::SWEEP);
@@ -51,6 +52,9 @@ struct HorizonOptions
     filter->SetRefractionCoefficient(this->Refraction);
     filter->SetTolerance(this->Tolerance);
   }
+
+private:
+  void Check() const; // the filters clamp
 };
 
 /// --quiet, --verbose, --threads.

@@ -9,6 +9,7 @@
 #include "vtkCommand.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
+#include "vtkHeightFieldAlgorithm.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <thread>
 
 #include <unistd.h>
 
@@ -139,7 +141,9 @@ void PrepareVtk(const Talk& talk)
   vtkOutputWindow::SetInstance(window);
   if (talk.Threads > 0)
   {
-    vtkSMPTools::Initialize(talk.Threads);
+    // More threads than processors gain nothing, and TBB would say so on the terminal.
+    const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    vtkSMPTools::Initialize(std::min(talk.Threads, processors));
   }
 }
 
@@ -195,7 +199,13 @@ void RunPass(vtkAlgorithm* algorithm, const std::string& title, const Talk& talk
   }
   if (talk.Verbose)
   {
-    std::fprintf(stderr, "%-14s %8.3f s\n", title.c_str(), time.count());
+    std::fprintf(stderr, "%-14s %8.3f s", title.c_str(), time.count());
+    if (auto* horizons = vtkHeightFieldAlgorithm::SafeDownCast(algorithm))
+    {
+      std::fprintf(stderr, " (bounds %.3f s, search %.3f s)", horizons->GetPrepareSeconds(),
+        horizons->GetSearchSeconds());
+    }
+    std::fputc('\n', stderr);
   }
 }
 

@@ -7,9 +7,11 @@
 #include "Files.h"
 #include "Options.h"
 #include "SunLight.h"
+#include "ZonalSky.h"
 
 #include "vtkDataArray.h"
 #include "vtkHeightFieldShading.h"
+#include "vtkHeightFieldSkyLight.h"
 #include "vtkHeightFieldSkyView.h"
 #include "vtkHeightFieldSunShadow.h"
 #include "vtkImageData.h"
@@ -43,6 +45,13 @@ std::string MapHelp()
     help += "\n" + std::string(map.Name) + ": " + std::string(map.Description);
   }
   return help;
+}
+
+// The number of a sky of CIE S 011, written cie:N.
+bool CieType(const std::string& name, int& type)
+{
+  return name.rfind("cie:", 0) == 0 && CLI::detail::lexical_cast(name.substr(4), type) &&
+    type >= 1 && type <= 16;
 }
 
 struct ShadeCommand
@@ -85,17 +94,33 @@ struct ShadeCommand
     return shadow->GetOutput();
   }
 
-  vtkSmartPointer<vtkImageData> ViewSky(vtkImageData* terrain) const
+  // The name of the array that says how much light of the sky there is, and the image with it.
+  const char* ViewSky(vtkSmartPointer<vtkImageData>& terrain) const
   {
-    vtkNew<vtkHeightFieldSkyView> sky;
-    sky->SetInputData(terrain);
-    sky->SetNumberOfAzimuths(this->Horizon.Azimuths);
-    this->Horizon.Apply(sky.Get());
-    sky->SetSkyViewFactorHorizontal(false);
-    sky->SetVisibleSkyFraction(false);
-    sky->SetPositiveOpenness(false);
-    skyline::RunPass(sky, "sky view", this->Talk);
-    return sky->GetOutput();
+    int type = 0;
+    if (CieType(this->Environment, type))
+    {
+      vtkNew<vtkHeightFieldSkyLight> light;
+      light->SetCieType(type);
+      this->RunSky(light.Get(), terrain);
+      return "SkyLight";
+    }
+    vtkNew<vtkHeightFieldSkyView> view;
+    view->SetSkyViewFactorHorizontal(false);
+    view->SetVisibleSkyFraction(false);
+    view->SetPositiveOpenness(false);
+    this->RunSky(view.Get(), terrain);
+    return "SkyViewFactor";
+  }
+
+  template <typename Filter>
+  void RunSky(Filter* filter, vtkSmartPointer<vtkImageData>& terrain) const
+  {
+    filter->SetInputData(terrain);
+    filter->SetNumberOfAzimuths(this->Horizon.Azimuths);
+    this->Horizon.Apply(filter);
+    skyline::RunPass(filter, "sky view", this->Talk);
+    terrain = filter->GetOutput();
   }
 
   void SetExposure(vtkHeightFieldShading* shading) const
@@ -115,10 +140,12 @@ struct ShadeCommand
     {
       throw skyline::Failure("exaggeration is out of range: above 0, up to 1000");
     }
-    if (this->Environment.rfind("cie:", 0) == 0 && this->Environment != "cie:1")
+    int type = 0;
+    if (CieType(this->Environment, type) && !skyline::ZonalSky::Knows(type))
     {
-      throw skyline::Failure("environment " + this->Environment +
-        " comes with the lighting tables of a later version; use uniform, cie:1 or none");
+      throw skyline::Failure("the sky " + this->Environment +
+        " comes with lighting tables, which this version does not have; use uniform, cie:1, cie:3, "
+        "cie:5, cie:16 or none");
     }
   }
 
@@ -140,16 +167,15 @@ struct ShadeCommand
     {
       lit = this->CastShadows(lit, sun);
     }
+    vtkNew<vtkHeightFieldShading> shading;
     if (this->Environment == "none")
     {
       light.SkyRadiance = skyline::Rgb{};
     }
     else
     {
-      lit = this->ViewSky(lit);
+      shading->SetSkyArrayName(this->ViewSky(lit));
     }
-
-    vtkNew<vtkHeightFieldShading> shading;
     shading->SetInputData(lit);
     shading->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
     shading->SetSunAzimuth(sun.GridAzimuth);
@@ -185,14 +211,16 @@ void AddShade(CLI::App& program)
   command->Output.AddTo(*app, "Picture to write: .png, .exr or .tif");
   command->Sun.AddTo(*app);
   app->add_option("--environment", command->Environment,
-       "The sky. uniform: equally bright all over;\ncie:1: CIE standard overcast sky, three times "
-       "as bright in the zenith as at the horizon;\nnone: black")
+       "The sky. uniform: equally bright all over;\ncie:N: sky N of CIE S 011: 1 overcast, 3 overcast "
+       "with a moderate gradation, 5 uniform,\n16 traditional overcast (three times as bright in the "
+       "zenith as at the horizon);\nnone: black")
     ->type_name("NAME")
     ->check(CLI::Validator(
       [](std::string& name) {
-        return name == "uniform" || name == "none" || name.rfind("cie:", 0) == 0
+        int type = 0;
+        return name == "uniform" || name == "none" || CieType(name, type)
           ? std::string()
-          : "no sky named " + name + "; use uniform, cie:1 or none";
+          : "no sky named " + name + "; use uniform, cie:1, cie:3, cie:5, cie:16 or none";
       },
       ""))
     ->capture_default_str();

@@ -19,10 +19,10 @@ constexpr std::ptrdiff_t Block = 16;
 /// Azimuths that differ by less, in radians, are the same: what their way through degrees may cost.
 constexpr double SameAzimuth = 1e-9;
 
-/// A horizon slope as the sun meets it: level ground where no terrain lies.
+/// A horizon slope as the sun meets it: the plain at the least.
 float SunSlope(float slope)
 {
-  return slope <= NoTerrainSlope ? 0.0f : slope;
+  return slope > 0.0f ? slope : 0.0f;
 }
 
 /// The elevation of a slope above a direction with elevation (sine, cosine): radians; the difference
@@ -166,30 +166,42 @@ void SunAccumulator::AddSame(std::ptrdiff_t post, std::ptrdiff_t count, const fl
   for (std::ptrdiff_t begin = 0; begin < count; begin += Block)
   {
     const std::ptrdiff_t size = std::min(Block, count - begin);
-    float first[Block], last[Block], hidden[Block];
-    std::fill_n(std::copy_n(before + begin, size, first), Block - size, lowest);
-    std::fill_n(std::copy_n(slopes + begin, size, last), Block - size, lowest);
-    // No branches here: the compiler takes the block as vectors.
-    int cut = 0;
-    float most = 0.0f;
-    for (std::ptrdiff_t i = 0; i < Block; ++i)
+    float last[Block], hidden[Block];
+    int cut = 0, covered = 0;
+    // No branches here: the compiler takes a whole block as vectors.
+    const auto look = [&](std::ptrdiff_t end)
     {
-      last[i] = SunSlope(last[i]);
-      const float least = std::min(first[i], last[i]), greatest = std::max(first[i], last[i]);
-      hidden[i] = least >= highest ? light : 0.0f;
-      cut |= (greatest > lowest && least < highest) ? 1 : 0;
-      most = std::max(most, hidden[i]);
+      for (std::ptrdiff_t i = 0; i < end; ++i)
+      {
+        const float first = before[begin + i], next = SunSlope(slopes[begin + i]);
+        const int above = static_cast<int>(first >= highest) & static_cast<int>(next >= highest);
+        const int below = static_cast<int>(first <= lowest) & static_cast<int>(next <= lowest);
+        last[i] = next;
+        hidden[i] = above ? light : 0.0f;
+        covered |= above;
+        cut |= 1 ^ (above | below);
+      }
+    };
+    if (size == Block)
+    {
+      look(Block);
     }
-    for (std::ptrdiff_t i = 0; cut && i < size; ++i)
+    else
     {
-      if (std::max(first[i], last[i]) > lowest && std::min(first[i], last[i]) < highest)
+      look(size);
+    }
+    if (!(cut | covered))
+    {
+      continue;
+    }
+    for (std::ptrdiff_t i = 0; i < size; ++i)
+    {
+      const float first = before[begin + i], next = last[i];
+      if (cut && !(first >= highest && next >= highest) && !(first <= lowest && next <= lowest))
       {
         hidden[i] = static_cast<float>(
-          this->Slice.Hidden(Above(first[i], sine, cosine), Above(last[i], sine, cosine)));
+          this->Slice.Hidden(Above(first, sine, cosine), Above(next, sine, cosine)));
       }
-    }
-    for (std::ptrdiff_t i = 0; (cut || most > 0.0f) && i < size; ++i)
-    {
       this->Result(post + begin + i) += hidden[i];
     }
   }

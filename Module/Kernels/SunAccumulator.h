@@ -24,8 +24,9 @@ using SunDirections = std::function<void(std::ptrdiff_t row, std::ptrdiff_t colu
 /// closer ones (never more than a right angle apart), over every swath; the disc's part outside of them is left out, and a post whose disc
 /// lies outside of all gets NaN. Widths are ignored.
 ///
-/// The horizon counts as it is, below 0 too (the sun seen down from a peak); where no terrain lies in
-/// a direction, the ground goes on level: 0.
+/// Sunlight, as that of the sky, comes from above the horizontal plane alone: a horizon below 0 counts
+/// as 0. What lies beyond the data is unknown, and without it a midnight sun would light every post
+/// that looks down to the edge.
 ///
 /// With radius 0 the sun is a point: lit or not at its own azimuth, or at the azimuth given first if
 /// its own is outside of all.

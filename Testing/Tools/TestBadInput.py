@@ -137,6 +137,7 @@ class BadInput(ToolTest):
                 ("horizon", ["--tolerance", "-1"]),
                 ("horizon", ["--tolerance", "nan"]),
                 ("horizon", ["--refraction", "nan"]),
+                ("horizon", ["--refraction", "1"]),
                 ("shade", ["--exaggeration", "0"]),
                 ("shade", ["--exaggeration", "-1"]),
                 ("shade", ["--exaggeration", "nan"])]:
@@ -144,9 +145,8 @@ class BadInput(ToolTest):
                 self.refused(1, command, self.dem, *out, *options)
 
     def test_surface_that_a_method_does_not_know(self):
-        for method in ["fast", "sweep"]:
-            self.refused(1, "horizon", self.dem, "-o", self.path("out.tif"), "--surface",
-                         "bilinear", "--method", method, says="bilinear")
+        self.refused(1, "horizon", self.dem, "-o", self.path("out.tif"), "--surface", "bilinear",
+                     "--method", "sweep")
 
     def test_sky_of_a_later_version(self):
         self.refused(1, "shade", self.dem, "-o", self.path("out.png"), "--environment", "cie:12",

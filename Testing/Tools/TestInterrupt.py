@@ -20,10 +20,10 @@ class Interrupt(ToolTest):
                                 stderr=subprocess.PIPE, text=True, cwd=self.folder)
 
     def test_in_the_middle_of_long_work(self):
-        make(self.path("dem.tif"), hills(1200, 1100), epsg=UTM10)
-        for command, options in [("sky-view", ["--azimuths", "20000"]),
-                                 ("sky-view", ["--azimuths", "20000", "--method", "sweep"]),
-                                 ("shade", ["--azimuths", "20000"])]:
+        make(self.path("dem.tif"), hills(1600, 1500), epsg=UTM10)
+        for command, options in [("sky-view", ["--azimuths", "3600"]),
+                                 ("sky-view", ["--azimuths", "3600", "--method", "sweep"]),
+                                 ("shade", ["--azimuths", "3600"])]:
             for number in [signal.SIGINT, signal.SIGTERM]:
                 with self.subTest(command=command, options=options, signal=number):
                     running = self.start(command, "dem.tif", "-o", "out.tif", *options)

