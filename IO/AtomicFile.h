@@ -52,8 +52,8 @@ private:
   int Slot = -1; ///< in the list for RemoveTemporaries
 };
 
-/// Removes every temporary that exists now, with what GDAL puts beside it. Safe in a signal handler;
-/// the program must end after it, for the writers know nothing of it.
+/// Removes every temporary that exists now, with what GDAL puts beside it. Safe in a signal
+/// handler; the program must end after it, for the writers know nothing of it.
 SKYLINEIO_EXPORT void RemoveTemporaries() noexcept;
 
 } // namespace skyline

@@ -11,8 +11,8 @@
 namespace skyline
 {
 
-/// Random access. From the first failed write on, the file swallows what it is given, as if all went
-/// well; whoever owns it asks GetError and throws the result away.
+/// Random access. From the first failed write on, the file swallows what it is given, as if all
+/// went well; whoever owns it asks GetError and throws the result away.
 class CheckedFile
 {
 public:

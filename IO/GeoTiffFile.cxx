@@ -162,8 +162,8 @@ struct ProgressBridge
   }
 };
 
-/// The CRS of a WKT, taken from the register where it says that it is there: WKT leaves out the codes
-/// of a compound CRS's parts, and without them GDAL 3.10 loses the vertical unit.
+/// The CRS of a WKT, taken from the register where it says that it is there: WKT leaves out the
+/// codes of a compound CRS's parts, and without them GDAL 3.10 loses the vertical unit.
 bool ReadCrs(const std::string& wkt, OGRSpatialReference& crs)
 {
   const GdalErrors quiet;

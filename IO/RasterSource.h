@@ -34,8 +34,8 @@ public:
 
   PostWindow GetWhole() const { return { 0, 0, this->Columns, this->Rows }; }
 
-  /// VTK's type of the heights: the band's own for integers that are metres as they are, else float,
-  /// or double where float would lose digits of the band.
+  /// VTK's type of the heights: the band's own for integers that are metres as they are, else
+  /// float, or double where float would lose digits of the band.
   int GetVtkType() const { return this->VtkType; }
 
   /// Metres between columns and between rows, of the centre row where rows differ.

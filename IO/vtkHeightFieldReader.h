@@ -3,16 +3,16 @@
  * @class   vtkHeightFieldReader
  * @brief   reads a band of any raster that GDAL opens as a height field
  *
- * The output is a two-dimensional vtkImageData with the point scalars "Elevation", in metres. A post
- * is a pixel centre. Row 0 is the south edge and column 0 the west edge, whichever way the file
- * runs; rotated and sheared rasters are refused.
+ * The output is a two-dimensional vtkImageData with the point scalars "Elevation", in metres. A
+ * post is a pixel centre. Row 0 is the south edge and column 0 the west edge, whichever way the
+ * file runs; rotated and sheared rasters are refused.
  *
  * Spacing is in metres: the CRS's steps, or the true ones of the centre row where they differ (see
  * RowSpacing.h). Origin is the south-west post's CRS coordinates in metres on a projected or local
- * map, and 0 on a geographic one. Heights in feet, with a scale and an offset, or with missing posts
- * (nodata, mask, alpha, NaN, infinities) become float, or double where float would lose digits,
- * with NaN for the missing; other integers stay as they are. The unit of the heights is the band's,
- * else that of the CRS's vertical part, else metres; heights count upwards even where the CRS
+ * map, and 0 on a geographic one. Heights in feet, with a scale and an offset, or with missing
+ * posts (nodata, mask, alpha, NaN, infinities) become float, or double where float would lose
+ * digits, with NaN for the missing; other integers stay as they are. The unit of the heights is the
+ * band's, else that of the CRS's vertical part, else metres; heights count upwards even where the CRS
  * speaks of depths.
  *
  * Field data carries the georeference (vtkSkylineGeoreference.h) of the extent that was delivered,

@@ -40,7 +40,8 @@ public:
   ///@{
   /**
    * Description and unit of a band, counted from 1 over all arrays. Default: the array's name (with
-   * the component's name or number where there are several), and "m" for Elevation and ShadowHeight.
+   * the component's name or number where there are several), and "m" for Elevation and
+   * ShadowHeight.
    */
   void SetBandDescription(int band, const char* text);
   void SetBandUnit(int band, const char* unit);

@@ -23,8 +23,7 @@ struct Daylight
 inline double AirMass(double elevation)
 {
   const double e = elevation > 0.0 ? elevation : 0.0;
-  return 1.0 /
-    (std::sin(e * 0.017453292519943295) + 0.50572 * std::pow(e + 6.07995, -1.6364));
+  return 1.0 / (std::sin(e * 0.017453292519943295) + 0.50572 * std::pow(e + 6.07995, -1.6364));
 }
 
 /// Sun and sky for an apparent sun elevation in degrees. The sun's colour is that of white light
@@ -43,7 +42,8 @@ inline Daylight ClearDaylight(double elevation, bool air = true)
   Rgb ground{};
   for (std::size_t c = 0; c < 3; ++c)
   {
-    const double depth = 0.0088 * std::pow(wavelength[c], -4.08) + 0.05 * std::pow(wavelength[c], -1.3);
+    const double depth =
+      0.0088 * std::pow(wavelength[c], -4.08) + 0.05 * std::pow(wavelength[c], -1.3);
     const double sun = !up ? 0.0 : air ? std::exp(-depth * AirMass(elevation)) : 0.8;
     const double sky = (0.005 + 0.15 * std::sqrt(height)) * (air ? blue[c] : 1.0f);
     light.SunIrradiance[c] = static_cast<float>(sun);

@@ -79,8 +79,8 @@ ZonalSky::ZonalSky(int cieType)
   }
 }
 
-ZonalSkyAccumulator::ZonalSkyAccumulator(const ZonalSky& sky, std::ptrdiff_t columns,
-  const float* east, const float* north, float* share)
+ZonalSkyAccumulator::ZonalSkyAccumulator(
+  const ZonalSky& sky, std::ptrdiff_t columns, const float* east, const float* north, float* share)
   : Sky(sky)
   , Columns(columns)
   , East(east)

@@ -361,7 +361,8 @@ int vtkHeightFieldShading::RequestData(
   radiance->SetNumberOfTuples(posts);
   float* light = radiance->GetPointer(0);
   const vtkIdType strips = (rows + RowsPerStrip - 1) / RowsPerStrip;
-  const auto lightStrips = [&](vtkIdType first, vtkIdType last) {
+  const auto lightStrips = [&](vtkIdType first, vtkIdType last)
+  {
     for (vtkIdType strip = first; strip < last && !this->AbortExecute; ++strip)
     {
       LightRows(terrain, lights, sun, ground, strip * RowsPerStrip,
@@ -390,8 +391,8 @@ int vtkHeightFieldShading::RequestData(
   picture->SetNumberOfComponents(4);
   picture->SetNumberOfTuples(posts);
   unsigned char* pixels = picture->GetPointer(0);
-  vtkSMPTools::For(0, posts,
-    [&](vtkIdType first, vtkIdType last) { Develop(light, first, last, gain, pixels); });
+  vtkSMPTools::For(
+    0, posts, [&](vtkIdType first, vtkIdType last) { Develop(light, first, last, gain, pixels); });
 
   out->ShallowCopy(in);
   out->GetPointData()->AddArray(radiance);
@@ -404,9 +405,8 @@ int vtkHeightFieldShading::RequestData(
 void vtkHeightFieldShading::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto triple = [&](const char* name, const double* v) {
-    os << indent << name << ": " << v[0] << " " << v[1] << " " << v[2] << "\n";
-  };
+  const auto triple = [&](const char* name, const double* v)
+  { os << indent << name << ": " << v[0] << " " << v[1] << " " << v[2] << "\n"; };
   os << indent << "SunAzimuth: " << this->SunAzimuth << "\n";
   os << indent << "SunElevation: " << this->SunElevation << "\n";
   os << indent << "UseTime: " << this->UseTime << "\n";

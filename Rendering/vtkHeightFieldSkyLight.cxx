@@ -29,8 +29,8 @@ bool vtkHeightFieldSkyLight::Compute(skyline::HorizonScene& scene, vtkImageData*
   const std::unique_ptr<float[]> gradients(new float[2 * posts]);
   scene.FillGradients(gradients.get(), gradients.get() + posts);
   vtkFloatArray* light = scene.AddArray(output, "SkyLight");
-  skyline::ZonalSkyAccumulator sum(sky, scene.Posts().Columns, gradients.get(),
-    gradients.get() + posts, light->GetPointer(0));
+  skyline::ZonalSkyAccumulator sum(
+    sky, scene.Posts().Columns, gradients.get(), gradients.get() + posts, light->GetPointer(0));
   if (!scene.Run(azimuths, 2.0 * skyline::Pi / this->NumberOfAzimuths, sum))
   {
     return false;

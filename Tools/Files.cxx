@@ -38,7 +38,8 @@ vtkImageData* ImageOf(vtkAlgorithm* source)
   return vtkImageData::SafeDownCast(source->GetOutputDataObject(0));
 }
 
-void SetBandTexts(vtkHeightFieldWriter* writer, vtkImageData* image, const std::string& name, int& band)
+void SetBandTexts(
+  vtkHeightFieldWriter* writer, vtkImageData* image, const std::string& name, int& band)
 {
   vtkDataArray* array = image->GetPointData()->GetArray(name.c_str());
   const int count = array ? array->GetNumberOfComponents() : 0;
@@ -129,15 +130,17 @@ Center ReadCenter(const TerrainOptions& options, const Talk& talk)
   vtkNew<vtkHeightFieldReader> reader;
   reader->SetFileName(options.File.c_str());
   reader->SetBand(options.Band);
-  RunPass(reader, "read", talk, [&] {
-    reader->UpdateInformation();
-    int whole[6];
-    reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-    int extent[6] = { 0, 0, 0, 0, 0, 0 };
-    Middle(whole[1] + 1, extent[0], extent[1]);
-    Middle(whole[3] + 1, extent[2], extent[3]);
-    reader->UpdateExtent(extent);
-  });
+  RunPass(reader, "read", talk,
+    [&]
+    {
+      reader->UpdateInformation();
+      int whole[6];
+      reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+      int extent[6] = { 0, 0, 0, 0, 0, 0 };
+      Middle(whole[1] + 1, extent[0], extent[1]);
+      Middle(whole[3] + 1, extent[2], extent[3]);
+      reader->UpdateExtent(extent);
+    });
   return CenterOf(reader->GetOutput());
 }
 

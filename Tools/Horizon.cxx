@@ -43,7 +43,8 @@ namespace skyline
 
 void AddHorizon(CLI::App& program)
 {
-  CLI::App* app = program.add_subcommand("horizon", "Elevation angle of the horizon around every post");
+  CLI::App* app =
+    program.add_subcommand("horizon", "Elevation angle of the horizon around every post");
   const auto command = std::make_shared<HorizonCommand>();
   app->footer("Writes a GeoTIFF of float32 degrees, -90 to 90: band k is azimuth 360 (k - 1) / N "
               "clockwise from grid\nnorth, -90 where no terrain lies in that direction.");

@@ -72,7 +72,8 @@ void HorizonOptions::Check() const
 
 void AddTalk(CLI::App& command, Talk& talk)
 {
-  command.add_option("--threads", talk.Threads, "Threads; 0: one a processor. Results do not differ")
+  command
+    .add_option("--threads", talk.Threads, "Threads; 0: one a processor. Results do not differ")
     ->type_name("N")
     ->check(CLI::Range(0, 4096))
     ->capture_default_str();

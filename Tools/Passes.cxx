@@ -10,6 +10,7 @@
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkHeightFieldAlgorithm.h"
+#include "vtkLogger.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
@@ -91,7 +92,8 @@ public:
     this->Percent = percent;
     constexpr int width = 40;
     const std::string done(static_cast<std::size_t>(percent * width / 100), '=');
-    std::fprintf(stderr, "\r%-14s [%-*s] %3d %%", this->Title.c_str(), width, done.c_str(), percent);
+    std::fprintf(
+      stderr, "\r%-14s [%-*s] %3d %%", this->Title.c_str(), width, done.c_str(), percent);
   }
 
 private:
@@ -139,6 +141,7 @@ void PrepareVtk(const Talk& talk)
 {
   vtkNew<SilentWindow> window;
   vtkOutputWindow::SetInstance(window);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   if (talk.Threads > 0)
   {
     // More threads than processors gain nothing, and TBB would say so on the terminal.

@@ -203,20 +203,23 @@ void AddShade(CLI::App& program)
   CLI::App* app = program.add_subcommand("shade", "A picture of the terrain in sun and sky");
   const auto command = std::make_shared<ShadeCommand>();
   command->Horizon.Azimuths = 72;
-  app->footer("Without light options: sun from azimuth 315, elevation 45, with soft shadows, under "
-              "a uniform sky.\nMissing posts are transparent. .png and .tif hold the tone-mapped "
-              "picture (sRGB, 8 bit; .tif with its\nplace on the map), .exr the linear light before "
-              "exposure.");
+  app->footer(
+    "Without light options: sun from azimuth 315, elevation 45, with soft shadows, under "
+    "a uniform sky.\nMissing posts are transparent. .png and .tif hold the tone-mapped "
+    "picture (sRGB, 8 bit; .tif with its\nplace on the map), .exr the linear light before "
+    "exposure.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "Picture to write: .png, .exr or .tif");
   command->Sun.AddTo(*app);
-  app->add_option("--environment", command->Environment,
-       "The sky. uniform: equally bright all over;\ncie:N: sky N of CIE S 011: 1 overcast, 3 overcast "
-       "with a moderate gradation, 5 uniform,\n16 traditional overcast (three times as bright in the "
-       "zenith as at the horizon);\nnone: black")
+  app
+    ->add_option("--environment", command->Environment,
+      "The sky. uniform: equally bright all over;\ncie:N: sky N of CIE S 011: 1 overcast, 3 overcast "
+      "with a moderate gradation, 5 uniform,\n16 traditional overcast (three times as bright in the "
+      "zenith as at the horizon);\nnone: black")
     ->type_name("NAME")
     ->check(CLI::Validator(
-      [](std::string& name) {
+      [](std::string& name)
+      {
         int type = 0;
         return name == "uniform" || name == "none" || CieType(name, type)
           ? std::string()
@@ -228,12 +231,14 @@ void AddShade(CLI::App& program)
     ->check(CLI::IsMember(MapNames()))
     ->type_name("NAME")
     ->capture_default_str();
-  app->add_option("--exposure", command->Exposure,
-       "auto, or stops: 0 shows level open ground as its colour, +1 twice as bright.\nHowever "
-       "bright, nothing burns out")
+  app
+    ->add_option("--exposure", command->Exposure,
+      "auto, or stops: 0 shows level open ground as its colour, +1 twice as bright.\nHowever "
+      "bright, nothing burns out")
     ->type_name("EV")
     ->check(CLI::Validator(
-      [](std::string& text) {
+      [](std::string& text)
+      {
         double stops;
         return text == "auto" || (CLI::detail::lexical_cast(text, stops) && std::isfinite(stops))
           ? std::string()
@@ -241,8 +246,9 @@ void AddShade(CLI::App& program)
       },
       ""))
     ->capture_default_str();
-  app->add_option("--exaggeration", command->Exaggeration,
-       "Factor on heights, in shading and shadows alike; above 0, up to 1000")
+  app
+    ->add_option("--exaggeration", command->Exaggeration,
+      "Factor on heights, in shading and shadows alike; above 0, up to 1000")
     ->type_name("F")
     ->capture_default_str();
   app->add_option("--view", command->View, "map: seen from above, one pixel a post")

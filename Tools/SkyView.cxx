@@ -41,9 +41,8 @@ struct SkyViewCommand
         wanted.push_back(name);
       }
     }
-    const auto asked = [&](const char* name) {
-      return std::find(wanted.begin(), wanted.end(), name) != wanted.end();
-    };
+    const auto asked = [&](const char* name)
+    { return std::find(wanted.begin(), wanted.end(), name) != wanted.end(); };
 
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
     vtkNew<vtkHeightFieldSkyView> sky;
@@ -78,8 +77,9 @@ void AddSkyView(CLI::App& program)
               "  PositiveOpenness         degrees, 0 to 180: mean zenith angle of the horizon");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write");
-  app->add_option("--quantity", command->Quantities,
-       "A quantity to write, see below; may be repeated. Default: all four")
+  app
+    ->add_option("--quantity", command->Quantities,
+      "A quantity to write, see below; may be repeated. Default: all four")
     ->type_name("NAME")
     ->check(CLI::IsMember(AllQuantities))
     ->type_size(1)

@@ -32,9 +32,8 @@ struct SunCommand
   {
     const skyline::Center center = skyline::ReadCenter(this->Terrain, this->Talk);
     const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
-    const auto degrees = [](const char* name, double value) {
-      std::printf("%s: %.5f degree\n", name, value);
-    };
+    const auto degrees = [](const char* name, double value)
+    { std::printf("%s: %.5f degree\n", name, value); };
     degrees("azimuth", sun.TrueNorth ? sun.TrueAzimuth : sun.GridAzimuth);
     degrees("elevation", sun.Elevation);
     degrees("refracted elevation", sun.ApparentElevation);
@@ -64,8 +63,7 @@ struct SunCommand
     shadow->SetInputData(terrain);
     this->Horizon.Apply(shadow.Get());
     const skyline::Center center = skyline::CenterOf(terrain);
-    skyline::ApplySun(
-      this->Sun, skyline::FindSun(this->Sun, center.Place, center.Height), shadow);
+    skyline::ApplySun(this->Sun, skyline::FindSun(this->Sun, center.Place, center.Height), shadow);
     skyline::RunPass(shadow, "sun", this->Talk);
     skyline::WriteRaster(shadow, { "SunVisibility" }, this->Output, this->Talk);
   }

@@ -58,18 +58,19 @@ void SunOptions::AddTo(CLI::App& command)
       "apparent elevation in degrees, -90 to 90. Default without --time: 315,45")
     ->type_name("AZ,EL")
     ->check(CLI::Validator(
-      [](std::string& text) {
+      [](std::string& text)
+      {
         double azimuth, elevation;
-        return ParseDirection(text, azimuth, elevation)
-          ? std::string()
-          : "needs two numbers AZ,EL, not " + text;
+        return ParseDirection(text, azimuth, elevation) ? std::string()
+                                                        : "needs two numbers AZ,EL, not " + text;
       },
       ""))
     ->excludes(time);
   command
     .add_option("--sun-radius", this->Radius,
-      "Angular radius of the sun's disc in degrees, 0 to 90; 0: hard shadows.\nDefault: the true "
-      "one with --time, 0.26645 otherwise")
+      "Angular radius of the sun's disc in degrees, 0 to less than 90; 0: hard shadows.\nDefault: the "
+      "true one with --time, 0.26645 otherwise. Given with --time, all posts get the sun\nof the "
+      "DEM's centre")
     ->type_name("DEG");
   command.add_flag("--limb-darkening", this->LimbDarkening,
     "Let the sun's disc be darker at its edge, as the true one is");
@@ -86,7 +87,8 @@ SunLight FindSun(const SunOptions& options, const Georeference& place, double he
   {
     if (!place.OnBody())
     {
-      throw Failure("--time needs a DEM with a CRS, to know the place; give the sun by --sun AZ,EL");
+      throw Failure(
+        "--time needs a DEM with a CRS, to know the place; give the sun by --sun AZ,EL");
     }
     if (!place.Earth)
     {
@@ -115,20 +117,19 @@ SunLight FindSun(const SunOptions& options, const Georeference& place, double he
     }
     if (!(std::abs(sun.Elevation) <= 90.0))
     {
-      throw Failure(
-        "sun elevation " + Text(sun.Elevation) + " is out of range: -90 to 90 degrees");
+      throw Failure("sun elevation " + Text(sun.Elevation) + " is out of range: -90 to 90 degrees");
     }
     sun.GridAzimuth = Turned(sun.GridAzimuth);
     sun.ApparentElevation = sun.Elevation;
-    sun.TrueAzimuth = sun.TrueNorth
-      ? Turned(sun.GridAzimuth + place.ConvergenceAt(column, row))
-      : sun.GridAzimuth;
+    sun.TrueAzimuth =
+      sun.TrueNorth ? Turned(sun.GridAzimuth + place.ConvergenceAt(column, row)) : sun.GridAzimuth;
   }
-  if (options.Radius != -1.0)
+  if (options.Radius != TrueRadius)
   {
-    if (!(options.Radius >= 0.0 && options.Radius <= 90.0))
+    if (!(options.Radius >= 0.0 && options.Radius < 90.0))
     {
-      throw Failure("sun radius " + Text(options.Radius) + " is out of range: 0 to 90 degrees");
+      throw Failure(
+        "sun radius " + Text(options.Radius) + " is out of range: 0 to less than 90 degrees");
     }
     sun.Radius = options.Radius;
   }
@@ -140,7 +141,8 @@ void ApplySun(const SunOptions& options, const SunLight& sun, vtkHeightFieldSunS
   shadow->SetSunAzimuth(sun.GridAzimuth);
   shadow->SetSunElevation(sun.ApparentElevation);
   shadow->SetSunAngularRadius(sun.Radius);
-  shadow->SetUseTime(sun.FromTime);
+  // By time the filter takes the true radius; another one goes with one direction for all posts.
+  shadow->SetUseTime(sun.FromTime && options.Radius == TrueRadius);
   shadow->SetTime(options.Time.c_str());
   shadow->SetLimbDarkening(options.LimbDarkening);
 }

@@ -14,12 +14,15 @@ class vtkHeightFieldSunShadow;
 namespace skyline
 {
 
+/// Stands for the radius that the sun has at the time, or on average.
+constexpr double TrueRadius = -1.0;
+
 /// --time, --sun, --sun-radius, --limb-darkening.
 struct SunOptions
 {
   std::string Time;
   std::string Direction;
-  double Radius = -1.0; ///< degrees; below 0: the true one
+  double Radius = TrueRadius; ///< degrees
   bool LimbDarkening = false;
   void AddTo(CLI::App& command);
 };
@@ -27,13 +30,13 @@ struct SunOptions
 /// The sun at one place. Angles in degrees.
 struct SunLight
 {
-  bool FromTime = false;         ///< by --time
-  bool TrueNorth = false;        ///< the place is known, and with it true north
-  double GridAzimuth = 315.0;    ///< clockwise from the image's +y, 0 up to 360
-  double TrueAzimuth = 315.0;    ///< clockwise from true north, 0 up to 360, if TrueNorth
-  double Elevation = 45.0;       ///< without air; the same as below when given by --sun
+  bool FromTime = false;           ///< by --time
+  bool TrueNorth = false;          ///< the place is known, and with it true north
+  double GridAzimuth = 315.0;      ///< clockwise from the image's +y, 0 up to 360
+  double TrueAzimuth = 315.0;      ///< clockwise from true north, 0 up to 360, if TrueNorth
+  double Elevation = 45.0;         ///< without air; the same as below when given by --sun
   double ApparentElevation = 45.0; ///< lifted by the air
-  double Radius = 0.0;           ///< of the disc
+  double Radius = 0.0;             ///< of the disc
 };
 
 /// The sun over the centre of the terrain, at `height` metres. Without --time and --sun: azimuth 315

@@ -141,107 +141,143 @@ struct BlockTest
   Block Threshold = Same(0.0f);
 };
 
-/// The horizons of one block of receivers on one line.
+/// The search for the horizons of one block of receivers on one line.
 template <Walk Kind>
-HWY_INLINE Block FindBlock(const ExactState& state, std::ptrdiff_t line, std::ptrdiff_t lane,
-  std::ptrdiff_t last, const Block& heights, SegmentHints& hints)
+struct BlockSearch
 {
-  const RayFrame& frame = *state.Frame;
-  const SegmentBounds& bounds = state.Bounds;
-  constexpr std::ptrdiff_t lines = SegmentBounds::Lines;
-  constexpr std::ptrdiff_t perGroup = SegmentBounds::PerGroup;
-  const float* origin = frame.Heights + line * frame.LineStride + lane;
-  const std::ptrdiff_t firstSegment = (line + ExactState::NearLines + lines - 1) / lines;
-  const std::ptrdiff_t nearLast = std::min(firstSegment * lines - line, last);
-  Block best =
-    WalkSteps<Kind>(frame, origin, heights, Same(MissingHeight), 1, nearLast);
-  if (nearLast == last)
-  {
-    return best;
-  }
-  const std::ptrdiff_t lastSegment = (line + last - 1) / lines;
-  BlockTest test(state, heights);
-  SegmentHints found;
-  const auto visitIfGain = [&](std::ptrdiff_t segment) {
-    const std::ptrdiff_t from = segment * lines - line;
-    const std::ptrdiff_t at = lane + state.EntryLane(from);
-    if (!test.MayGain(bounds.Level(segment) + at, bounds.Tilted(segment) + at,
-          static_cast<float>(from), state.SinkAt(from)))
-    {
-      return;
-    }
-    const Block raised =
-      WalkSteps<Kind>(frame, origin, heights, best, from + 1, std::min(from + lines, last));
-    if (AnyGreater(raised, best))
-    {
-      best = raised;
-      found.Add(static_cast<std::int32_t>(segment));
-      test.Update(best, static_cast<float>(lines));
-    }
-  };
+  static constexpr std::ptrdiff_t Lines = SegmentBounds::Lines;
+  static constexpr std::ptrdiff_t PerGroup = SegmentBounds::PerGroup;
+  using Bits = std::uint64_t; // one a segment or group
 
-  test.Update(best, static_cast<float>(lines));
-  for (std::int32_t hint : hints.Segments)
+  HWY_INLINE BlockSearch(const ExactState& state, std::ptrdiff_t line, std::ptrdiff_t lane,
+    std::ptrdiff_t last, const Block& heights)
+    : State(state)
+    , Origin(state.Frame->Heights + line * state.Frame->LineStride + lane)
+    , Line(line)
+    , Lane(lane)
+    , Last(last)
+    , Heights(heights)
+    , Test(state, heights)
+    , Best(Same(MissingHeight))
   {
-    if (hint >= firstSegment && hint <= lastSegment)
+  }
+
+  /// Every near edge, then the winners of the line before, then whatever else may gain.
+  HWY_INLINE Block Run(SegmentHints& hints)
+  {
+    const std::ptrdiff_t first = (this->Line + ExactState::NearLines + Lines - 1) / Lines;
+    const std::ptrdiff_t near = std::min(first * Lines - this->Line, this->Last);
+    this->Best = WalkSteps<Kind>(*this->State.Frame, this->Origin, this->Heights, this->Best, 1, near);
+    if (near == this->Last)
     {
-      visitIfGain(hint);
+      return this->Best;
+    }
+    const std::ptrdiff_t last = (this->Line + this->Last - 1) / Lines;
+    for (const std::int32_t hint : hints.Segments)
+    {
+      if (hint >= first && hint <= last)
+      {
+        this->WalkSegment(hint);
+      }
+    }
+    const std::ptrdiff_t lastGroup = last / PerGroup;
+    for (std::ptrdiff_t begin = first / PerGroup; begin <= lastGroup; begin += 64)
+    {
+      Bits groups = this->Groups(begin, std::min(begin + 63, lastGroup));
+      for (; groups != 0; groups &= groups - 1)
+      {
+        const std::ptrdiff_t group = begin + LowestBit(groups);
+        this->SearchGroup(std::max(group * PerGroup, first),
+          std::min((group + 1) * PerGroup - 1, last), hints);
+      }
+    }
+    hints = this->Found;
+    return this->Best;
+  }
+
+private:
+  static HWY_INLINE std::ptrdiff_t LowestBit(Bits bits)
+  {
+    return static_cast<std::ptrdiff_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
+  }
+
+  HWY_INLINE void WalkSegment(std::ptrdiff_t segment)
+  {
+    const std::ptrdiff_t from = segment * Lines - this->Line;
+    const Block raised = WalkSteps<Kind>(*this->State.Frame, this->Origin, this->Heights, this->Best,
+      from + 1, std::min(from + Lines, this->Last));
+    if (AnyGreater(raised, this->Best))
+    {
+      this->Best = raised;
+      this->Found.Add(static_cast<std::int32_t>(segment));
     }
   }
-  const std::ptrdiff_t firstGroup = firstSegment / perGroup;
-  const std::ptrdiff_t lastGroup = lastSegment / perGroup;
-  for (std::ptrdiff_t chunk = firstGroup; chunk <= lastGroup; chunk += 64)
+
+  HWY_INLINE bool SegmentMayGain(std::ptrdiff_t segment) const
   {
-    test.Update(best, static_cast<float>(lines * perGroup));
-    std::uint64_t groups = 0;
-    const std::ptrdiff_t chunkEnd = std::min(chunk + 63, lastGroup);
-    for (std::ptrdiff_t group = chunk; group <= chunkEnd; ++group)
+    const std::ptrdiff_t from = segment * Lines - this->Line;
+    const std::ptrdiff_t at = this->Lane + this->State.EntryLane(from);
+    return this->Test.MayGain(this->State.Bounds.Level(segment) + at,
+      this->State.Bounds.Tilted(segment) + at, static_cast<float>(from), this->State.SinkAt(from));
+  }
+
+  /// Bits of the groups begin .. end (64 at most) that may gain; all tests first, then one branch.
+  HWY_INLINE Bits Groups(std::ptrdiff_t begin, std::ptrdiff_t end)
+  {
+    this->Test.Update(this->Best, static_cast<float>(Lines * PerGroup));
+    Bits bits = 0;
+    for (std::ptrdiff_t group = begin; group <= end; ++group)
     {
-      const std::ptrdiff_t from = std::max<std::ptrdiff_t>(group * perGroup * lines - line, 0);
-      const std::ptrdiff_t at = lane + state.EntryLane(from);
-      const bool may = test.MayGain(bounds.GroupLevel(group) + at, bounds.GroupTilted(group) + at,
-        static_cast<float>(from), state.SinkAt(from));
-      groups |= static_cast<std::uint64_t>(may) << (group - chunk);
-    }
-    if (chunk == firstGroup && firstGroup * perGroup * lines <= line)
-    {
-      groups |= 1;
-    }
-    while (groups != 0)
-    {
-      const std::ptrdiff_t group = chunk + __builtin_ctzll(groups);
-      groups &= groups - 1;
-      test.Update(best, static_cast<float>(lines));
-      const std::ptrdiff_t begin = std::max(group * perGroup, firstSegment);
-      const std::ptrdiff_t end = std::min((group + 1) * perGroup - 1, lastSegment);
-      std::uint64_t segments = 0;
-      for (std::ptrdiff_t segment = begin; segment <= end; ++segment)
+      const std::ptrdiff_t from = group * PerGroup * Lines - this->Line;
+      if (from <= 0)
       {
-        const std::ptrdiff_t from = segment * lines - line;
-        const std::ptrdiff_t at = lane + state.EntryLane(from);
-        const bool may = test.MayGain(bounds.Level(segment) + at, bounds.Tilted(segment) + at,
-          static_cast<float>(from), state.SinkAt(from));
-        segments |= static_cast<std::uint64_t>(may) << (segment - begin);
+        bits |= 1; // the receivers stand in it: its bounds do not count from its edge
+        continue;
       }
-      // The bounds of a winner stay above its own horizon: once walked, it is done.
-      for (std::int32_t hint : hints.Segments)
+      const std::ptrdiff_t at = this->Lane + this->State.EntryLane(from);
+      const bool may = this->Test.MayGain(this->State.Bounds.GroupLevel(group) + at,
+        this->State.Bounds.GroupTilted(group) + at, static_cast<float>(from),
+        this->State.SinkAt(from));
+      bits |= static_cast<Bits>(may) << (group - begin);
+    }
+    return bits;
+  }
+
+  HWY_INLINE void SearchGroup(std::ptrdiff_t begin, std::ptrdiff_t end, const SegmentHints& walked)
+  {
+    this->Test.Update(this->Best, static_cast<float>(Lines));
+    Bits segments = 0;
+    for (std::ptrdiff_t segment = begin; segment <= end; ++segment)
+    {
+      segments |= static_cast<Bits>(this->SegmentMayGain(segment)) << (segment - begin);
+    }
+    // The bounds of a winner stay above its own horizon: once walked, it is done.
+    for (const std::int32_t hint : walked.Segments)
+    {
+      if (hint >= begin && hint <= end)
       {
-        if (hint >= begin && hint <= end)
-        {
-          segments &= ~(std::uint64_t{ 1 } << (hint - begin));
-        }
+        segments &= ~(Bits{ 1 } << (hint - begin));
       }
-      while (segments != 0)
+    }
+    for (; segments != 0; segments &= segments - 1)
+    {
+      const std::ptrdiff_t segment = begin + LowestBit(segments);
+      this->Test.Update(this->Best, static_cast<float>(Lines));
+      if (this->SegmentMayGain(segment))
       {
-        const std::ptrdiff_t segment = begin + __builtin_ctzll(segments);
-        segments &= segments - 1;
-        visitIfGain(segment);
+        this->WalkSegment(segment);
       }
     }
   }
-  hints = found;
-  return best;
-}
+
+  const ExactState& State;
+  const float* Origin;
+  std::ptrdiff_t Line, Lane, Last;
+  Block Heights;
+  BlockTest Test;
+  Block Best;
+  SegmentHints Found;
+};
 
 template <Walk Kind>
 void FindLanes(const ExactState& state, const FindTask& task)
@@ -257,8 +293,9 @@ void FindLanes(const ExactState& state, const FindTask& task)
     for (std::ptrdiff_t line = task.LineEnd - 1; line >= task.LineBegin; --line)
     {
       const Block heights = Load(task.Receivers[line - task.LineBegin] + lane);
-      const Block best = FindBlock<Kind>(
-        state, line, lane, std::min(frame.Lines - 1 - line, leaves), heights, hints);
+      BlockSearch<Kind> search(
+        state, line, lane, std::min(frame.Lines - 1 - line, leaves), heights);
+      const Block best = search.Run(hints);
       StoreSlopes(best, state.LinesPerMetre,
         task.Slopes + (line - task.LineBegin) * task.Stride + (lane - task.LaneBegin));
     }

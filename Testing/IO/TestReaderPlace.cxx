@@ -95,8 +95,8 @@ TEST(ReaderPlace, SurveyFeetOnTheMap)
   EXPECT_EQ(skyline::LoadGeoreference(image).GeoTransform[0], 980000.0);
 }
 
-// Web Mercator at 49 degrees: a pixel is two thirds of what it says. East to west the closed form is
-// step * N cos(latitude) / a.
+// Web Mercator at 49 degrees: a pixel is two thirds of what it says. East to west the closed form
+// is step * N cos(latitude) / a.
 TEST(ReaderPlace, WebMercatorIsMeasured)
 {
   const auto image = ReadAt("EPSG:3857", { -13700000, 1000, 0, 6280000, 0, -1000 });

@@ -41,7 +41,8 @@ TEST(ColorMaps, LightnessRisesWithHeight)
 TEST(ColorMaps, EndsAndMiddleAreTheListedColours)
 {
   const skyline::ColorMap& map = *skyline::FindColorMap("viridis");
-  const auto expectCode = [&](double t, unsigned int code) {
+  const auto expectCode = [&](double t, unsigned int code)
+  {
     const skyline::Rgb color = skyline::ColorAt(map, t);
     EXPECT_EQ(skyline::SrgbByte(color[0]), code >> 16);
     EXPECT_EQ(skyline::SrgbByte(color[1]), (code >> 8) & 255u);

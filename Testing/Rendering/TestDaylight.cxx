@@ -35,8 +35,7 @@ TEST(Daylight, LevelGroundHasIrradiancePi)
       {
         EXPECT_TRUE(std::isfinite(light.SunIrradiance[c]) && light.SunIrradiance[c] >= 0.0f);
         EXPECT_TRUE(std::isfinite(light.SkyRadiance[c]) && light.SkyRadiance[c] > 0.0f);
-        ground[c] =
-          static_cast<float>(light.SunIrradiance[c] * height + Pi * light.SkyRadiance[c]);
+        ground[c] = static_cast<float>(light.SunIrradiance[c] * height + Pi * light.SkyRadiance[c]);
       }
       // The kept quarter of the cast moves luminance by a few per cent.
       EXPECT_NEAR(skyline::Luminance(ground), Pi, 0.05 * Pi) << elevation;

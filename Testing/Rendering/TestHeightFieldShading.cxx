@@ -11,8 +11,8 @@
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkShortArray.h"
 #include "vtkSMPTools.h"
+#include "vtkShortArray.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,8 @@ constexpr double RadianceTolerance = 2e-6;
 using Height = std::function<double(double x, double y)>;
 
 // A height field of doubles; x and y are metres from the south-west post.
-vtkSmartPointer<vtkImageData> Field(int columns, int rows, double dx, double dy, const Height& height)
+vtkSmartPointer<vtkImageData> Field(
+  int columns, int rows, double dx, double dy, const Height& height)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(columns, rows, 1);
@@ -133,14 +134,14 @@ TEST_F(Shading, VisibilitiesScaleTheirLights)
   this->Filter->SetSunElevation(90.0);
   this->Filter->Update();
   const skyline::Rgb albedo = skyline::ColorAt(*skyline::FindColorMap("gray"), 0.5);
-  EXPECT_NEAR(Radiance(this->Filter)->GetComponent(4, 0),
-    albedo[0] * (0.25 * 3.0 / Pi + 0.5 * 0.1), RadianceTolerance);
+  EXPECT_NEAR(Radiance(this->Filter)->GetComponent(4, 0), albedo[0] * (0.25 * 3.0 / Pi + 0.5 * 0.1),
+    RadianceTolerance);
   // The sky's array can be another one.
   AddConstant(flat, "Overcast", 1.0f);
   this->Filter->SetSkyArrayName("Overcast");
   this->Filter->Update();
-  EXPECT_NEAR(Radiance(this->Filter)->GetComponent(4, 2),
-    albedo[2] * (0.25 * 1.0 / Pi + 1.0 * 0.3), RadianceTolerance);
+  EXPECT_NEAR(Radiance(this->Filter)->GetComponent(4, 2), albedo[2] * (0.25 * 1.0 / Pi + 1.0 * 0.3),
+    RadianceTolerance);
 }
 
 TEST_F(Shading, SunBehindTheSlopeGivesNoLight)
@@ -160,8 +161,7 @@ TEST_F(Shading, MissingPostsAreTransparentAndTheirNeighboursKeepTheirSlope)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  const auto plane =
-    Field(6, 5, 1.0, 1.0, [&](double x, double y) { return 0.5 * x + 0.25 * y; });
+  const auto plane = Field(6, 5, 1.0, 1.0, [&](double x, double y) { return 0.5 * x + 0.25 * y; });
   this->Filter->SetColorMap("gray");
   this->Filter->SetColorRange(0.0, 1e9); // one colour
   this->Filter->SetInputData(plane);
@@ -194,8 +194,8 @@ TEST_F(Shading, MissingPostsAreTransparentAndTheirNeighboursKeepTheirSlope)
 TEST_F(Shading, AllMissingIsAnEmptyPicture)
 {
   this->Filter->SetAutoExposure(true);
-  this->Filter->SetInputData(Field(
-    3, 3, 1.0, 1.0, [](double, double) { return std::numeric_limits<double>::quiet_NaN(); }));
+  this->Filter->SetInputData(
+    Field(3, 3, 1.0, 1.0, [](double, double) { return std::numeric_limits<double>::quiet_NaN(); }));
   this->Filter->Update();
   EXPECT_EQ(this->Error, "");
   EXPECT_EQ(Picture(this->Filter)->GetRange(3)[1], 0.0);

@@ -27,7 +27,8 @@ TEST(ToneMap, CurveIsSmoothAtTheKnee)
   // The hyperbola's slope at the knee is 1: one step h beyond it differs from h by h^2 / room.
   const float h = 1e-3f;
   const float bend = h * h / (skyline::ToneWhite - skyline::ToneKnee);
-  EXPECT_NEAR(skyline::ToneCurve(skyline::ToneKnee + h), skyline::ToneKnee + h - bend, FloatTolerance);
+  EXPECT_NEAR(
+    skyline::ToneCurve(skyline::ToneKnee + h), skyline::ToneKnee + h - bend, FloatTolerance);
 }
 
 TEST(ToneMap, CurveNeverFallsAndNeverBurnsOut)
@@ -53,8 +54,8 @@ TEST(ToneMap, LightThatIsNoneOrTooMuch)
   {
     EXPECT_EQ(skyline::ToneMap(light), (Rgb{ { 0.0f, 0.0f, 0.0f } }));
   }
-  for (const Rgb& light : { Rgb{ { infinity, 0.0f, 0.0f } }, Rgb{ { infinity, infinity, infinity } },
-         Rgb{ { 0.0f, 3e38f, 3e38f } } })
+  for (const Rgb& light : { Rgb{ { infinity, 0.0f, 0.0f } },
+         Rgb{ { infinity, infinity, infinity } }, Rgb{ { 0.0f, 3e38f, 3e38f } } })
   {
     for (float channel : skyline::ToneMap(light))
     {

@@ -57,8 +57,8 @@ double BruteForce(int type, double east, double north, double horizon)
     for (int i = 0; i < azimuths; ++i)
     {
       const double a = 2.0 * Pi * (i + 0.5) / azimuths;
-      const double facing = up *
-        (std::sin(e) - (east * std::sin(a) + north * std::cos(a)) * std::cos(e));
+      const double facing =
+        up * (std::sin(e) - (east * std::sin(a) + north * std::cos(a)) * std::cos(e));
       open += radiance * std::sin(e);
       light += e > horizon ? radiance * std::max(0.0, facing) : 0.0;
     }
@@ -102,8 +102,7 @@ TEST(ZonalSky, InclinedPlane)
   const float east = 0.6f;
   const float north = -0.8f;
   const auto plane = [&](double a) { return east * std::sin(a) + north * std::cos(a); };
-  EXPECT_NEAR(
-    Share(5, east, north, plane), 0.5 * (1.0 + std::sqrt(0.5)), AzimuthTolerance);
+  EXPECT_NEAR(Share(5, east, north, plane), 0.5 * (1.0 + std::sqrt(0.5)), AzimuthTolerance);
   for (int type : Types)
   {
     // Steps of 0.045 degrees in elevation and 0.5 in azimuth, sums of midpoints.
@@ -120,8 +119,7 @@ TEST(ZonalSky, ExtremesStayInRange)
   for (int type : Types)
   {
     EXPECT_EQ(Share(type, 0.0f, 0.0f, [](double) { return 1e18; }), 0.0);
-    EXPECT_NEAR(
-      Share(type, 0.0f, 0.0f, [&](double) { return infinity; }), 0.0, TableTolerance);
+    EXPECT_NEAR(Share(type, 0.0f, 0.0f, [&](double) { return infinity; }), 0.0, TableTolerance);
     const double cliff = Share(type, 1e6f, 0.0f, Level);
     EXPECT_TRUE(cliff >= 0.0 && cliff < 0.6) << cliff;
     EXPECT_TRUE(std::isnan(Share(type, nan, nan, Level)));

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Help, version and wrong usage."""
+import os
+import pty
 import re
-import unittest
+import subprocess
 
 import Program
 from Program import ToolTest, hills, make
@@ -28,7 +30,7 @@ class Usage(ToolTest):
                          "0 to 1"],
             "sun": ["--time", "--sun", "315,45", "--sun-radius", "--limb-darkening", "UTC",
                     "-90 to 90", "clockwise"],
-            "shade": ["--environment", "uniform", "cie:1", "--colors", "hypsometric", "viridis",
+            "shade": ["--environment", "uniform", "cie:N", "--colors", "hypsometric", "viridis",
                       "--exposure", "auto", "--exaggeration"],
         }
         for command in COMMANDS:
@@ -80,6 +82,22 @@ class Usage(ToolTest):
         self.assertEqual((done.returncode, done.stdout), (0, ""))
         for title in ["read", "horizon", "write"]:
             self.assertRegex(done.stderr, re.compile(rf"^{title} +\d+\.\d+ s", re.MULTILINE))
+
+    def test_progress_bar_on_a_terminal(self):
+        for options, shown in [([], True), (["--quiet"], False)]:
+            master, terminal = pty.openpty()
+            done = subprocess.run(
+                [Program.PROGRAM, "horizon", self.dem, "-o", self.path("out.tif"), *options],
+                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=terminal, timeout=300)
+            os.write(terminal, b"end")  # so that there is something to read
+            text = os.read(master, 65536).decode()
+            os.close(terminal)
+            os.close(master)
+            self.assertEqual((done.returncode, done.stdout), (0, b""))
+            self.assertEqual("horizon" in text and "%" in text, shown, text)
+            self.assertNotIn("\n", text)
+            # The bar is wiped out when its pass is done.
+            self.assertTrue(not shown or text.endswith("\r\x1b[Kend"), repr(text))
 
     def test_negative_numbers_are_values(self):
         self.succeed("sun", self.dem, "--sun", "-45,-10")

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EveryCrossing.h"
+
+#include <algorithm>
+#include <vector>
+
+// One build of the plain loops for each kind of vector, chosen when the program starts, so that they
+// have the same registers to run in as the method they are compared with.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#define SKYLINE_EVERY_VECTOR \
+  __attribute__((target_clones("default", "arch=haswell", "arch=skylake-avx512")))
+#else
+#define SKYLINE_EVERY_VECTOR
+#endif
+#define SKYLINE_INLINE inline __attribute__((always_inline))
+
+namespace skyline
+{
+namespace benchmark
+{
+
+namespace
+{
+
+// The posts that the rays of the lanes meet in one step: on the line before and on the line itself,
+// with neighbours on either side.
+struct Posts
+{
+  const float *NearTrail, *NearLead, *NearBeyond; // beyond: on the far side of the lead
+  const float *FarBehind, *FarTrail, *FarLead;    // behind: on the far side of the trail
+};
+
+struct Receivers
+{
+  const float* Heights;
+  float* Best; // metres per line
+  std::ptrdiff_t Begin, End;
+};
+
+// Two posts of an edge and their weights.
+struct Edge
+{
+  const float *A, *B;
+  float WeightA, WeightB, Sink;
+
+  SKYLINE_INLINE float Slope(std::ptrdiff_t lane, float height) const
+  {
+    return this->WeightA * (this->A[lane] - height) + this->WeightB * (this->B[lane] - height) -
+      this->Sink;
+  }
+};
+
+SKYLINE_INLINE float Larger(float a, float b)
+{
+  return a > b ? a : b;
+}
+
+// Raises every lane to two edges.
+SKYLINE_INLINE void Raise(const Receivers& r, const Edge& first, const Edge& second)
+{
+  const float* heights = r.Heights;
+  float* best = r.Best;
+  for (std::ptrdiff_t lane = r.Begin; lane < r.End; ++lane)
+  {
+    const float h = heights[lane];
+    best[lane] = Larger(best[lane], Larger(first.Slope(lane, h), second.Slope(lane, h)));
+  }
+}
+
+// The same, each where one of its cells has all four posts.
+SKYLINE_INLINE bool Complete(
+  const float* a, const float* b, const float* c, const float* d, std::ptrdiff_t lane)
+{
+  const float low = std::min(std::min(a[lane], b[lane]), std::min(c[lane], d[lane]));
+  return low > 0.5f * MissingHeight;
+}
+
+SKYLINE_INLINE void RaiseOneCell(const Receivers& r, const Posts& p, const Edge& entry,
+  const Edge& middle, const Edge& row)
+{
+  float* best = r.Best;
+  for (std::ptrdiff_t lane = r.Begin; lane < r.End; ++lane)
+  {
+    const float h = r.Heights[lane];
+    const bool cell = Complete(p.NearTrail, p.NearLead, p.FarTrail, p.FarLead, lane);
+    const float slope =
+      Larger(entry.Slope(lane, h), Larger(middle.Slope(lane, h), row.Slope(lane, h)));
+    best[lane] = Larger(best[lane], cell ? slope : MissingHeight);
+  }
+}
+
+SKYLINE_INLINE void RaiseTwoCells(const Receivers& r, const Posts& p, const Edge& entry,
+  const Edge& left, const Edge& middle, const Edge& right, const Edge& row)
+{
+  float* best = r.Best;
+  for (std::ptrdiff_t lane = r.Begin; lane < r.End; ++lane)
+  {
+    const float h = r.Heights[lane];
+    const bool first = Complete(p.NearTrail, p.NearLead, p.FarBehind, p.FarTrail, lane);
+    const bool second = Complete(p.NearLead, p.NearBeyond, p.FarTrail, p.FarLead, lane);
+    const float ofFirst = Larger(entry.Slope(lane, h), left.Slope(lane, h));
+    const float ofSecond = Larger(right.Slope(lane, h), row.Slope(lane, h));
+    const float ofBoth = first || second ? middle.Slope(lane, h) : MissingHeight;
+    best[lane] = Larger(Larger(best[lane], ofBoth),
+      Larger(first ? ofFirst : MissingHeight, second ? ofSecond : MissingHeight));
+  }
+}
+
+// The horizons of the lanes of one line.
+SKYLINE_INLINE void CrossLine(const RayFrame& frame, std::ptrdiff_t line, const float* heights,
+  float* best, std::ptrdiff_t laneBegin, std::ptrdiff_t laneEnd, bool holes)
+{
+  std::fill(best + laneBegin, best + laneEnd, MissingHeight);
+  const std::ptrdiff_t drift = frame.Drift;
+  for (std::ptrdiff_t d = 1; d < frame.Lines - line; ++d)
+  {
+    const RayStep& step = frame.Steps[static_cast<std::size_t>(d)];
+    const RayStep& before = frame.Steps[static_cast<std::size_t>(d - 1)];
+    const SideStep& side = frame.Sides[static_cast<std::size_t>(d)];
+    const float* near = frame.Heights + (line + d - 1) * frame.LineStride + before.Lane;
+    const float* far = frame.Heights + (line + d) * frame.LineStride + step.Lane;
+    const Posts p{ near, near + drift, near + 2 * drift, far - drift, far, far + drift };
+    // Lanes whose rays have left the data meet nothing more.
+    const Receivers r{ heights, best, std::max<std::ptrdiff_t>(laneBegin, -step.Lane - 2),
+      std::min<std::ptrdiff_t>(laneEnd, frame.Lanes - step.Lane + 2) };
+
+    const bool next = step.Next != 0;
+    const bool fromLead = next || frame.Against;
+    const Edge row{ p.FarTrail, p.FarLead, step.RowTrail, step.RowLead, step.RowSink };
+    const Edge middle{ fromLead ? p.NearLead : p.NearTrail, fromLead ? p.FarTrail : p.FarLead,
+      step.MidNear, step.MidFar, step.MidSink };
+    const bool sides = next && frame.Against;
+    const Edge left = sides
+      ? Edge{ p.NearLead, p.FarBehind, side.LeftNear, side.LeftFar, side.LeftSink }
+      : middle;
+    const Edge right = sides
+      ? Edge{ p.NearBeyond, p.FarTrail, side.RightNear, side.RightFar, side.RightSink }
+      : row;
+    if (!holes)
+    {
+      Raise(r, row, middle);
+      if (sides)
+      {
+        Raise(r, left, right);
+      }
+      continue;
+    }
+    const Edge entry = d > 1
+      ? Edge{ p.NearTrail, p.NearLead, before.RowTrail, before.RowLead, before.RowSink }
+      : middle;
+    if (next)
+    {
+      RaiseTwoCells(r, p, entry, left, middle, right, row);
+    }
+    else
+    {
+      RaiseOneCell(r, p, entry, middle, row);
+    }
+    if (frame.Places[static_cast<std::size_t>(d)].Part == 0.0)
+    {
+      // A ray through a post meets all the cells around it; posts of none are missing from the plane.
+      const Edge post{ p.FarTrail, p.FarTrail, step.RowTrail, 0.0f, step.RowSink };
+      Raise(r, post, post);
+    }
+  }
+}
+
+SKYLINE_EVERY_VECTOR void CrossPlain(const RayFrame& frame, std::ptrdiff_t line,
+  const float* heights, float* best, std::ptrdiff_t laneBegin, std::ptrdiff_t laneEnd)
+{
+  CrossLine(frame, line, heights, best, laneBegin, laneEnd, false);
+}
+
+SKYLINE_EVERY_VECTOR void CrossHoles(const RayFrame& frame, std::ptrdiff_t line,
+  const float* heights, float* best, std::ptrdiff_t laneBegin, std::ptrdiff_t laneEnd)
+{
+  CrossLine(frame, line, heights, best, laneBegin, laneEnd, true);
+}
+
+} // namespace
+
+EveryCrossing::EveryCrossing(const HeightField& field, const HorizonSettings& settings)
+  : Field(field)
+  , Settings(settings)
+{
+}
+
+void EveryCrossing::SetAzimuth(const Grid& grid, double azimuth)
+{
+  this->Ray = std::make_unique<RayFrame>(this->Field, grid, azimuth, this->Settings.Sink);
+}
+
+void EveryCrossing::Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd, std::ptrdiff_t laneBegin,
+  std::ptrdiff_t laneEnd, float* slopes, std::ptrdiff_t stride) const
+{
+  const RayFrame& frame = *this->Ray;
+  constexpr float noEdge = -1.0e14f; // metres per line, below any terrain
+  std::vector<float> buffer;
+  for (std::ptrdiff_t line = lineBegin; line < lineEnd; ++line)
+  {
+    const float* heights =
+      this->Field.Receivers(frame.Columns, frame.ImageLine(line), buffer);
+    float* best = slopes + (line - lineBegin) * stride - laneBegin;
+    (this->Field.HasMissing() ? CrossHoles : CrossPlain)(
+      frame, line, heights, best, laneBegin, laneEnd);
+    const auto linesPerMetre = static_cast<float>(1.0 / frame.StepLength);
+    for (std::ptrdiff_t lane = laneBegin; lane < laneEnd; ++lane)
+    {
+      best[lane] = best[lane] < noEdge ? NoTerrainSlope : best[lane] * linesPerMetre;
+    }
+  }
+}
+
+} // namespace benchmark
+} // namespace skyline

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The horizon by plain loops over every crossed edge: what the exact method saves is measured from it.
+#ifndef skyline_EveryCrossing_h
+#define skyline_EveryCrossing_h
+
+#include "HorizonMethod.h"
+
+namespace skyline
+{
+namespace benchmark
+{
+
+/// The oracle's work in float: every edge to the edge of the data, none skipped, one row of receivers
+/// abreast so that the compiler can vectorise. Triangles only.
+class EveryCrossing : public HorizonMethod
+{
+public:
+  EveryCrossing(const HeightField& field, const HorizonSettings& settings);
+
+  void SetAzimuth(const Grid& grid, double azimuth) override;
+  std::ptrdiff_t PrepareCount() const override { return 0; }
+  void Prepare(std::ptrdiff_t, std::ptrdiff_t) override {}
+  void Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd, std::ptrdiff_t laneBegin,
+    std::ptrdiff_t laneEnd, float* slopes, std::ptrdiff_t stride) const override;
+
+private:
+  const HeightField& Field;
+  HorizonSettings Settings;
+};
+
+} // namespace benchmark
+} // namespace skyline
+
+#endif

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FusedSkyView.h"
+
+#include "HorizonScene.h"
+#include "Measure.h"
+#include "SkyAccumulator.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+#include <memory>
+
+namespace skyline
+{
+namespace benchmark
+{
+
+namespace
+{
+
+vtkSmartPointer<vtkImageData> ImageOf(const oracle::OracleField& field)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(static_cast<int>(field.Columns), static_cast<int>(field.Rows), 1);
+  image->SetSpacing(field.SpacingX, field.SpacingY, 1.0);
+  vtkNew<vtkFloatArray> heights;
+  heights->SetName("Elevation");
+  heights->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (vtkIdType post = 0; post < image->GetNumberOfPoints(); ++post)
+  {
+    heights->SetValue(post, static_cast<float>(field.Heights[static_cast<std::size_t>(post)]));
+  }
+  image->GetPointData()->SetScalars(heights);
+  return image;
+}
+
+// Of the sky view factor: the oracle's horizons of the truth, summed by the oracle.
+double SkyViewRmse(const Scene& scene, const Truth& truth, const float* found)
+{
+  constexpr std::size_t most = 256; // the oracle's sums are slow
+  constexpr int steps = 500;
+  double squares = 0.0;
+  const std::size_t count = std::min(most, truth.Posts.size());
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::ptrdiff_t post = truth.Posts[i];
+    std::vector<double> slopes;
+    for (std::size_t azimuth = 0; azimuth < truth.Azimuths.size(); ++azimuth)
+    {
+      slopes.push_back(std::tan(truth.Elevation(azimuth, i) * RadiansPerDegree));
+    }
+    double east = 0.0;
+    double north = 0.0;
+    oracle::Gradient(
+      scene.Field, post % scene.Field.Columns, post / scene.Field.Columns, east, north);
+    const double error =
+      found[post] - oracle::SkyFromHorizons(slopes, east, north, steps).SkyViewFactor;
+    squares += error * error;
+  }
+  return std::sqrt(squares / static_cast<double>(count));
+}
+
+} // namespace
+
+Result MeasureFusedSkyView(const Scene& scene, const Truth& truth, int repeats)
+{
+  const vtkSmartPointer<vtkImageData> image = ImageOf(scene.Field);
+  vtkDataArray* heights = image->GetPointData()->GetScalars();
+  const auto posts = static_cast<std::size_t>(image->GetNumberOfPoints());
+  HorizonScene::Options options;
+  options.Flat = true;
+  const double width = 2.0 * Pi / static_cast<double>(truth.Azimuths.size());
+
+  Laps laps;
+  const PeakMemory memory;
+  std::unique_ptr<float[]> sky;
+  for (int repeat = 0; repeat < repeats; ++repeat)
+  {
+    const Seconds start = Now();
+    sky.reset(); // the last repeat's results are not part of this one
+    sky.reset(new float[4 * posts]);
+    HorizonScene field(image, heights, options);
+    const std::unique_ptr<float[]> gradients(new float[2 * posts]);
+    field.FillGradients(gradients.get(), gradients.get() + posts);
+    SkyBuffers buffers;
+    buffers.SkyViewFactor.Values = sky.get();
+    buffers.SkyViewFactorHorizontal.Values = sky.get() + posts;
+    buffers.VisibleSkyFraction.Values = sky.get() + 2 * posts;
+    buffers.PositiveOpenness.Values = sky.get() + 3 * posts;
+    SkyAccumulator accumulator(
+      scene.Field.Columns, buffers, gradients.get(), gradients.get() + posts);
+    field.Run(truth.Azimuths, width, accumulator);
+    const Seconds end = Now();
+    // The driver's own stopwatch tells the share of the preparation.
+    const Seconds total{ end.Cpu - start.Cpu, end.Wall - start.Wall };
+    const double share = field.PrepareSeconds / total.Wall;
+    laps.Add({ share * total.Cpu, share * total.Wall },
+      { (1.0 - share) * total.Cpu, (1.0 - share) * total.Wall });
+  }
+  Result result;
+  result.FloatsPerPost = memory.FloatsPerPost(static_cast<double>(posts));
+  laps.Report(result, static_cast<double>(posts * truth.Azimuths.size()));
+  result.SkyViewRmse = SkyViewRmse(scene, truth, sky.get());
+  result.Ran = true;
+  return result;
+}
+
+} // namespace benchmark
+} // namespace skyline

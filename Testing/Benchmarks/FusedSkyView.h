@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measures horizons and all four sky quantities in one pass, as the sky-view filter runs them.
+#ifndef skyline_FusedSkyView_h
+#define skyline_FusedSkyView_h
+
+#include "Result.h"
+#include "Truth.h"
+
+namespace skyline
+{
+namespace benchmark
+{
+
+/// Exact horizons summed azimuth by azimuth into the four quantities, from the image to the filled
+/// arrays (heights, gradients and the transposed copy included), on one thread.
+Result MeasureFusedSkyView(const Scene& scene, const Truth& truth, int repeats);
+
+} // namespace benchmark
+} // namespace skyline
+
+#endif

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Measure.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <exception>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include <malloc.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace skyline
+{
+namespace benchmark
+{
+
+namespace
+{
+
+double Clock(clockid_t id)
+{
+  timespec time{};
+  clock_gettime(id, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// A line of /proc/self/status, in bytes; 0 where there is none.
+double StatusBytes(const std::string& name)
+{
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  while (status >> word)
+  {
+    if (word == name + ":")
+    {
+      double kibibytes = 0.0;
+      status >> kibibytes;
+      return 1024.0 * kibibytes;
+    }
+    status.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  }
+  return 0.0;
+}
+
+struct Spread
+{
+  double Smallest, Median;
+};
+
+Spread SpreadOf(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  const double median =
+    values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+  return { values.front(), median };
+}
+
+} // namespace
+
+Seconds Now()
+{
+  return { Clock(CLOCK_THREAD_CPUTIME_ID), Clock(CLOCK_MONOTONIC) };
+}
+
+double ProcessCpu()
+{
+  return Clock(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+void Laps::Report(Result& result, double count) const
+{
+  std::vector<double> prepare, search, total, wall;
+  for (const Repeat& repeat : this->Repeats)
+  {
+    const double scale = 1e9 / count;
+    prepare.push_back(scale * repeat.Prepare.Cpu);
+    search.push_back(scale * repeat.Search.Cpu);
+    total.push_back(scale * (repeat.Prepare.Cpu + repeat.Search.Cpu));
+    wall.push_back(scale * (repeat.Prepare.Wall + repeat.Search.Wall));
+  }
+  result.PrepareNs = SpreadOf(prepare).Smallest;
+  result.SearchNs = SpreadOf(search).Smallest;
+  result.TotalNs = SpreadOf(total).Smallest;
+  result.TotalMedianNs = SpreadOf(total).Median;
+  result.WallNs = SpreadOf(wall).Smallest;
+  result.WallMedianNs = SpreadOf(wall).Median;
+}
+
+PeakMemory::PeakMemory()
+{
+  // Blocks freed before must not hide blocks taken later; the kernel forgets its old peak on request.
+  mallopt(M_MMAP_THRESHOLD, 64 * 1024);
+  malloc_trim(0);
+  std::ofstream("/proc/self/clear_refs") << "5";
+  this->Start = StatusBytes("VmRSS");
+}
+
+double PeakMemory::FloatsPerPost(double posts) const
+{
+  return (StatusBytes("VmHWM") - this->Start) / sizeof(float) / posts;
+}
+
+Result InChild(const std::function<Result()>& measure)
+{
+  Result result;
+  int ends[2];
+  std::fflush(nullptr);
+  if (pipe(ends) != 0)
+  {
+    std::snprintf(result.Reason, sizeof result.Reason, "no pipe: %s", std::strerror(errno));
+    return result;
+  }
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    close(ends[0]);
+    Result found;
+    try
+    {
+      found = measure();
+    }
+    catch (const std::exception& failure)
+    {
+      std::snprintf(found.Reason, sizeof found.Reason, "%s", failure.what());
+    }
+    const bool written = write(ends[1], &found, sizeof found) == ssize_t{ sizeof found };
+    _exit(written ? 0 : 1); // no destructors: the parent's files and libraries are not the child's
+  }
+  close(ends[1]);
+  Result found;
+  const bool complete = child > 0 && read(ends[0], &found, sizeof found) == ssize_t{ sizeof found };
+  close(ends[0]);
+  int status = 0;
+  if (child > 0)
+  {
+    waitpid(child, &status, 0);
+  }
+  if (complete)
+  {
+    return found;
+  }
+  if (WIFSIGNALED(status))
+  {
+    std::snprintf(result.Reason, sizeof result.Reason, "stopped by signal %d", WTERMSIG(status));
+  }
+  else
+  {
+    std::snprintf(result.Reason, sizeof result.Reason, "its process ended without a result");
+  }
+  return result;
+}
+
+} // namespace benchmark
+} // namespace skyline

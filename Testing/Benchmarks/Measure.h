@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Clocks, peak memory, and a process of its own for every measurement.
+#ifndef skyline_Measure_h
+#define skyline_Measure_h
+
+#include "Result.h"
+
+#include <functional>
+#include <vector>
+
+namespace skyline
+{
+namespace benchmark
+{
+
+/// Seconds.
+struct Seconds
+{
+  double Cpu = 0.0;  ///< of the calling thread
+  double Wall = 0.0;
+};
+Seconds Now();
+
+/// CPU seconds of all threads of the process.
+double ProcessCpu();
+
+/// Times of the two halves of a method, repeat by repeat.
+class Laps
+{
+public:
+  void NextRepeat() { this->Repeats.emplace_back(); }
+
+  template <typename Work>
+  void Prepare(const Work& work)
+  {
+    Time(this->Repeats.back().Prepare, work);
+  }
+  template <typename Work>
+  void Search(const Work& work)
+  {
+    Time(this->Repeats.back().Search, work);
+  }
+  /// A repeat timed elsewhere.
+  void Add(const Seconds& prepare, const Seconds& search)
+  {
+    this->Repeats.push_back({ prepare, search });
+  }
+
+  /// Fills in the nanoseconds; count: posts x azimuths of a repeat.
+  void Report(Result& result, double count) const;
+
+private:
+  struct Repeat
+  {
+    Seconds Prepare, Search;
+  };
+
+  template <typename Work>
+  static void Time(Seconds& sum, const Work& work)
+  {
+    const Seconds start = Now();
+    work();
+    const Seconds end = Now();
+    sum.Cpu += end.Cpu - start.Cpu;
+    sum.Wall += end.Wall - start.Wall;
+  }
+
+  std::vector<Repeat> Repeats;
+};
+
+/// Growth of the peak of resident memory from construction on, in floats a post.
+class PeakMemory
+{
+public:
+  PeakMemory();
+  double FloatsPerPost(double posts) const;
+
+private:
+  double Start; // bytes
+};
+
+/// Runs a measurement in a forked child, so that memory, caches of the allocator, threads of
+/// libraries and crashes stay its own. What it throws becomes the reason.
+Result InChild(const std::function<Result()>& measure);
+
+} // namespace benchmark
+} // namespace skyline
+
+#endif

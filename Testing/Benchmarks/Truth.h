@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A random sample of horizons by the double-precision oracle, and errors against it.
+#ifndef skyline_Truth_h
+#define skyline_Truth_h
+
+#include "Result.h"
+#include "Scenes.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace skyline
+{
+namespace benchmark
+{
+
+/// Horizons of some posts, each in all azimuths.
+class Truth
+{
+public:
+  /// posts: how many, drawn with the seed from those that are not missing; azimuths in degrees.
+  Truth(const Scene& scene, std::ptrdiff_t posts, std::vector<double> azimuths, std::uint64_t seed);
+
+  std::vector<double> Azimuths;     ///< degrees clockwise from grid north
+  std::vector<std::ptrdiff_t> Posts; ///< row * columns + column
+
+  /// Degrees of elevation, -90 where no terrain lies.
+  double Elevation(std::size_t azimuth, std::size_t post) const
+  {
+    return this->Elevations[azimuth * this->Posts.size() + post];
+  }
+
+private:
+  std::vector<double> Elevations;
+};
+
+/// Collects differences of elevations.
+class ErrorSum
+{
+public:
+  void Add(double found, double right) { this->Differences.push_back(found - right); }
+  Errors Get() const;
+
+private:
+  std::vector<double> Differences;
+};
+
+} // namespace benchmark
+} // namespace skyline
+
+#endif

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs the commands and the Python of the README as they stand there.
+
+RunReadme.py SOURCE PROGRAM OUTPUT PYTHONPATH
+"""
+
+import os
+import re
+import subprocess
+import sys
+
+source, program, output, python_path = sys.argv[1:]
+readme = open(os.path.join(source, "README.md"), encoding="utf-8").read()
+
+commands = [line.strip() for line in readme.splitlines() if line.strip().startswith("$skyline ")]
+assert len(commands) >= 5, commands
+environment = dict(
+    os.environ, skyline=program, dem=os.path.join(source, "Testing/Data/dem/SainteHelens.tif")
+)
+for command in commands:
+    print(command, flush=True)
+    subprocess.run(["bash", "-ec", command], cwd=output, env=environment, check=True)
+for name in re.findall(r"-o (\S+)", "\n".join(commands)):
+    assert os.path.getsize(os.path.join(output, name)) > 10000, name
+
+code = re.search(r"```python\n(.*?)```", readme, re.S).group(1)
+environment["PYTHONPATH"] = python_path
+printed = subprocess.run(
+    [sys.executable, "-c", code], cwd=source, env=environment, check=True, stdout=subprocess.PIPE
+).stdout.decode()
+assert printed.startswith("153036 posts"), printed
