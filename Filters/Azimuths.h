@@ -3,6 +3,7 @@
 #ifndef skyline_Azimuths_h
 #define skyline_Azimuths_h
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -20,10 +21,10 @@ inline std::vector<double> EvenAzimuths(int count)
     throw std::invalid_argument(
       std::to_string(count) + " azimuths; give 1 to " + std::to_string(MaximumAzimuths));
   }
-  std::vector<double> azimuths;
+  std::vector<double> azimuths(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k)
   {
-    azimuths.push_back(360.0 * k / count);
+    azimuths[static_cast<std::size_t>(k)] = 360.0 * k / count;
   }
   return azimuths;
 }

@@ -48,11 +48,11 @@ double Now()
 template <typename Function>
 void WithHeights(vtkDataArray* array, std::ptrdiff_t columns, Function&& function)
 {
-  const auto worker = [&](auto* typed) {
+  const auto worker = [&](auto* typed)
+  {
     const auto values = vtk::DataArrayValueRange<1>(typed);
-    function([values, columns](std::ptrdiff_t column, std::ptrdiff_t row) {
-      return static_cast<double>(values[static_cast<vtkIdType>(row * columns + column)]);
-    });
+    function([values, columns](std::ptrdiff_t column, std::ptrdiff_t row)
+      { return static_cast<double>(values[vtkIdType{ row } * columns + column]); });
   };
   if (!vtkArrayDispatch::Dispatch::Execute(array, worker))
   {
@@ -66,8 +66,8 @@ Grid GridOf(vtkImageData* image)
   const double* spacing = image->GetSpacing();
   if (dimensions[2] != 1)
   {
-    throw std::invalid_argument("the height field has " + std::to_string(dimensions[2]) +
-      " slices; give an image with one");
+    throw std::invalid_argument(
+      "the height field has " + std::to_string(dimensions[2]) + " slices; give an image with one");
   }
   if (!image->GetDirectionMatrix()->IsIdentity())
   {
@@ -93,11 +93,12 @@ HorizonScene::HorizonScene(vtkImageData* image, vtkDataArray* heights, const Opt
     throw std::invalid_argument("no surface: every post is missing");
   }
   this->Mean = range[0] + 0.5 * (range[1] - range[0]);
-  WithHeights(heights, grid.Columns, [&](const auto& height) {
-    vtkSMPTools::For(0, grid.Rows, [&](vtkIdType begin, vtkIdType end) {
-      this->Field.Fill(begin, end, this->Mean, height);
+  WithHeights(heights, grid.Columns,
+    [&](const auto& height)
+    {
+      vtkSMPTools::For(0, grid.Rows,
+        [&](vtkIdType begin, vtkIdType end) { this->Field.Fill(begin, end, this->Mean, height); });
     });
-  });
   this->Field.Close();
 
   if (!options.Flat && this->Where.OnBody())
@@ -109,12 +110,10 @@ HorizonScene::HorizonScene(vtkImageData* image, vtkDataArray* heights, const Opt
     const double refraction = this->Where.Earth ? options.Refraction : 0.0;
     this->Settings.Sink = (1.0 - refraction) / (2.0 * this->Where.LocalRadius(latitude));
   }
-  this->Bands =
-    RowBands(this->Where, PostSpacing{ grid.SpacingX, grid.SpacingY }, BandTolerance);
+  this->Bands = RowBands(this->Where, PostSpacing{ grid.SpacingX, grid.SpacingY }, BandTolerance);
 }
 
-bool HorizonScene::Run(
-  const std::vector<double>& azimuths, double width, Accumulator& consumer)
+bool HorizonScene::Run(const std::vector<double>& azimuths, double width, Accumulator& consumer)
 {
   this->Field.Transpose();
   const auto method = MakeHorizonMethod(this->Field, this->Settings);
@@ -142,8 +141,8 @@ bool HorizonScene::Run(
       this->SearchSeconds += Now() - prepared;
     }
   }
-  vtkSMPTools::For(0, grid.Rows,
-    [&](vtkIdType begin, vtkIdType end) { consumer.Finish(begin, end); });
+  vtkSMPTools::For(
+    0, grid.Rows, [&](vtkIdType begin, vtkIdType end) { consumer.Finish(begin, end); });
   return true;
 }
 
@@ -169,7 +168,8 @@ void HorizonScene::FindRows(
   const std::ptrdiff_t stride = (frame.Lanes + SlopeBlock - 1) / SlopeBlock * SlopeBlock;
   vtkSMPThreadLocal<std::vector<float>> buffers;
   vtkSMPTools::For(0, (end - begin + ChunkLines - 1) / ChunkLines, 1,
-    [&](vtkIdType first, vtkIdType last) {
+    [&](vtkIdType first, vtkIdType last)
+    {
       std::vector<float>& slopes = buffers.Local();
       slopes.resize(static_cast<std::size_t>(ChunkLines * stride));
       for (std::ptrdiff_t chunk = first; chunk < last; ++chunk)
@@ -194,7 +194,8 @@ void HorizonScene::FindColumns(
   const std::ptrdiff_t stride = (rows + SlopeBlock - 1) / SlopeBlock * SlopeBlock;
   vtkSMPThreadLocal<std::vector<float>> buffers;
   vtkSMPTools::For(0, (frame.Lines + ChunkLines - 1) / ChunkLines, 1,
-    [&](vtkIdType first, vtkIdType last) {
+    [&](vtkIdType first, vtkIdType last)
+    {
       std::vector<float>& slopes = buffers.Local();
       slopes.resize(static_cast<std::size_t>(ChunkLines * stride));
       float run[ChunkLines];
@@ -224,11 +225,13 @@ void HorizonScene::FillGradients(float* east, float* north) const
   const Georeference& place = this->Where;
   const double* spacingX = place.RowSpacingX.empty() ? nullptr : place.RowSpacingX.data();
   const double* spacingY = place.RowSpacingY.empty() ? nullptr : place.RowSpacingY.data();
-  WithHeights(this->Heights, grid.Columns, [&](const auto& height) {
-    vtkSMPTools::For(0, grid.Rows, [&](vtkIdType begin, vtkIdType end) {
-      Gradients(grid, height, begin, end, east, north, spacingX, spacingY);
+  WithHeights(this->Heights, grid.Columns,
+    [&](const auto& height)
+    {
+      vtkSMPTools::For(0, grid.Rows,
+        [&](vtkIdType begin, vtkIdType end)
+        { Gradients(grid, height, begin, end, east, north, spacingX, spacingY); });
     });
-  });
 }
 
 void HorizonScene::BlankMissing(vtkFloatArray* array) const
@@ -254,8 +257,7 @@ void HorizonScene::BlankMissing(vtkFloatArray* array) const
   }
 }
 
-vtkFloatArray* HorizonScene::AddArray(
-  vtkImageData* output, const char* name, int components) const
+vtkFloatArray* HorizonScene::AddArray(vtkImageData* output, const char* name, int components) const
 {
   vtkNew<vtkFloatArray> array;
   array->SetName(name);

@@ -71,7 +71,8 @@ int vtkHeightFieldAlgorithm::RequestData(
     options.Flat = this->Flat;
     options.Refraction = this->RefractionCoefficient;
     skyline::HorizonScene scene(input, heights, options);
-    scene.Progress = [this](double part) {
+    scene.Progress = [this](double part)
+    {
       this->UpdateProgress(part);
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
       return !this->CheckAbort();

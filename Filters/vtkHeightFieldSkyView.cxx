@@ -27,7 +27,8 @@ bool vtkHeightFieldSkyView::Compute(skyline::HorizonScene& scene, vtkImageData* 
 {
   const std::vector<double> azimuths = skyline::EvenAzimuths(this->NumberOfAzimuths);
   std::vector<vtkFloatArray*> arrays;
-  const auto buffer = [&](bool wanted, const char* name) {
+  const auto buffer = [&](bool wanted, const char* name)
+  {
     if (!wanted)
     {
       return skyline::PostBuffer();
@@ -37,7 +38,8 @@ bool vtkHeightFieldSkyView::Compute(skyline::HorizonScene& scene, vtkImageData* 
   };
   skyline::SkyBuffers buffers;
   buffers.SkyViewFactor = buffer(this->SkyViewFactor, "SkyViewFactor");
-  buffers.SkyViewFactorHorizontal = buffer(this->SkyViewFactorHorizontal, "SkyViewFactorHorizontal");
+  buffers.SkyViewFactorHorizontal =
+    buffer(this->SkyViewFactorHorizontal, "SkyViewFactorHorizontal");
   buffers.VisibleSkyFraction = buffer(this->VisibleSkyFraction, "VisibleSkyFraction");
   buffers.PositiveOpenness = buffer(this->PositiveOpenness, "PositiveOpenness");
   if (arrays.empty())

@@ -34,8 +34,8 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
   double greatest = 0.0;
   sun.AzimuthBounds(firstAzimuth, lastAzimuth);
   sun.ElevationBounds(least, greatest);
-  std::vector<double> azimuths = skyline::SunAzimuths(firstAzimuth * radians,
-    lastAzimuth * radians, least * radians, greatest * radians, sun.Radius() * radians);
+  std::vector<double> azimuths = skyline::SunAzimuths(firstAzimuth * radians, lastAzimuth * radians,
+    least * radians, greatest * radians, sun.Radius() * radians);
   for (double& azimuth : azimuths)
   {
     azimuth *= skyline::DegreesPerRadian;
@@ -46,16 +46,13 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
   const skyline::PostBuffer buffer{ visibility->GetPointer(0), 1 };
   const skyline::Grid& posts = scene.Posts();
   const double darkening = this->LimbDarkening ? skyline::EddingtonLimbDarkening : 0.0;
-  const auto run = [&](skyline::SunAccumulator&& disc) {
-    return scene.Run(azimuths, 0.0, disc);
-  };
+  const auto run = [&](skyline::SunAccumulator&& disc) { return scene.Run(azimuths, 0.0, disc); };
   bool finished = false;
   if (this->UseTime)
   {
-    const auto directions = [&sun](std::ptrdiff_t row, std::ptrdiff_t column,
-                              std::ptrdiff_t count, float* x, float* y, float* z) {
-      sun.Row(row, column, count, x, y, z);
-    };
+    const auto directions = [&sun](std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count,
+                              float* x, float* y, float* z)
+    { sun.Row(row, column, count, x, y, z); };
     finished = run(skyline::SunAccumulator(
       posts.Columns, posts.Rows, directions, sun.Radius() * radians, buffer, darkening));
   }
@@ -63,8 +60,7 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
   {
     const skyline::SunDisc disc{ this->SunAzimuth * radians, this->SunElevation * radians,
       this->SunAngularRadius * radians };
-    finished =
-      run(skyline::SunAccumulator(posts.Columns, posts.Rows, disc, buffer, darkening));
+    finished = run(skyline::SunAccumulator(posts.Columns, posts.Rows, disc, buffer, darkening));
   }
   if (finished)
   {

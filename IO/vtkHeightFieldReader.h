@@ -12,8 +12,8 @@
  * map, and 0 on a geographic one. Heights in feet, with a scale and an offset, or with missing
  * posts (nodata, mask, alpha, NaN, infinities) become float, or double where float would lose
  * digits, with NaN for the missing; other integers stay as they are. The unit of the heights is the
- * band's, else that of the CRS's vertical part, else metres; heights count upwards even where the CRS
- * speaks of depths.
+ * band's, else that of the CRS's vertical part, else metres; heights count upwards even where the
+ * CRS speaks of depths.
  *
  * Field data carries the georeference (vtkSkylineGeoreference.h) of the extent that was delivered,
  * which is the extent asked for: only that part of the file is read. Spacing and RowSpacing are the

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Colours for heights, as short lists of control colours. Pure functions, no VTK.
 //
-// Every list grows lighter from its first to its last colour (a test holds it to that), so the order
-// of heights survives any colour vision and a black-and-white print.
+// Every list grows lighter from its first to its last colour (a test holds it to that), so the
+// order of heights survives any colour vision and a black-and-white print.
 #ifndef skyline_ColorMaps_h
 #define skyline_ColorMaps_h
 
@@ -65,8 +65,8 @@ inline const ColorMap* FindColorMap(std::string_view name)
   return nullptr;
 }
 
-/// Where a height lies in a map's list, 0 to 1. The list spans heights low to high; with SeaLevel its
-/// middle is height 0, with one scale on both sides so that a shallow sea is not drawn deep.
+/// Where a height lies in a map's list, 0 to 1. The list spans heights low to high; with SeaLevel
+/// its middle is height 0, with one scale on both sides so that a shallow sea is not drawn deep.
 inline double PlaceOnMap(const ColorMap& map, double height, double low, double high)
 {
   double first = low;
@@ -80,7 +80,7 @@ inline double PlaceOnMap(const ColorMap& map, double height, double low, double 
   return last > first ? std::clamp((height - first) / (last - first), 0.0, 1.0) : 0.5;
 }
 
-/// The colour at place t of the list (0 to 1, clamped), linear light: the albedo of the ground there.
+/// The colour at place t of the list (0 to 1, clamped), linear light: the albedo of the ground.
 /// Between control colours, linear in the sRGB codes, as the lists were meant to be read.
 inline Rgb ColorAt(const ColorMap& map, double t)
 {

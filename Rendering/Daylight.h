@@ -28,9 +28,9 @@ inline double AirMass(double elevation)
 
 /// Sun and sky for an apparent sun elevation in degrees. The sun's colour is that of white light
 /// after Rayleigh's air and a light haze (optical depths 0.0088 l^-4.08 and 0.05 l^-1.3 at
-/// wavelengths l of 0.61, 0.55 and 0.465 micrometres). The sky is pale blue; its strength is set for
-/// legible shadows (a fifth of the light on level ground at 45 degrees), not measured. White balance
-/// and scale are those of a camera set for level open ground, which gets irradiance pi in luminance
+/// wavelengths l of 0.61, 0.55 and 0.465 micrometres). The sky is pale blue; its strength is set
+/// for legible shadows (a fifth of the light on level ground at 45 degrees), not measured. White
+/// balance and scale are those of a camera set for level open ground, which gets irradiance pi in luminance
 /// and keeps a quarter of the cast. Without air the sun is white and the sky grey.
 inline Daylight ClearDaylight(double elevation, bool air = true)
 {

@@ -12,7 +12,7 @@ namespace skyline
 
 using Rgb = std::array<float, 3>; ///< linear light, Rec. 709 primaries
 
-/// Linear level that no tone-mapped channel exceeds: 251 of 255 after encoding, so nothing burns out.
+/// Linear level that no tone-mapped channel exceeds: 251 of 255 after encoding.
 constexpr float ToneWhite = 0.96f;
 
 /// Below this level the tone curve leaves light as it is; above it, a shoulder begins.
@@ -42,8 +42,8 @@ inline float ToneCurve(float luminance)
   return ToneWhite - room / (1.0f + over);
 }
 
-/// Tone-maps a colour: its luminance by ToneCurve, its hue kept. A channel that would pass ToneWhite
-/// draws the colour towards grey of the same luminance, as bright colours do to the eye.
+/// Tone-maps a colour: its luminance by ToneCurve, its hue kept. A channel that would pass
+/// ToneWhite draws the colour towards grey of the same luminance, as bright colours do to the eye.
 inline Rgb ToneMap(const Rgb& light)
 {
   Rgb c = light;

@@ -17,17 +17,17 @@ namespace skyline
 class SKYLINERENDERING_EXPORT ZonalSky
 {
 public:
-  /// The skies of CIE S 011/E:2003 that do not depend on the sun, by the standard's numbers: 1 overcast
-  /// with a steep gradation, 3 overcast with a moderate one, 5 uniform, 16 the traditional overcast
-  /// sky (Moon and Spencer 1942). Throws std::invalid_argument for others.
+  /// The skies of CIE S 011/E:2003 that do not depend on the sun, by the standard's numbers: 1
+  /// overcast with a steep gradation, 3 overcast with a moderate one, 5 uniform, 16 the traditional
+  /// overcast sky (Moon and Spencer 1942). Throws std::invalid_argument for others.
   explicit ZonalSky(int cieType);
 
   /// Whether the type is one of those.
   static bool Knows(int cieType);
 
-  /// Radiance at an elevation whose sine is `sine` (0 to 1), over that of the zenith. Types 1 and 3:
-  /// (1 + a exp(b / sine)) / (1 + a exp b), (a, b) = (4, -0.7) and (1.1, -0.8) (table 1 and equation
-  /// 4 of the standard); 5: 1; 16: (1 + 2 sine) / 3.
+  /// Radiance at an elevation whose sine is `sine` (0 to 1), over that of the zenith. Types 1 and
+  /// 3: (1 + a exp(b / sine)) / (1 + a exp b), (a, b) = (4, -0.7) and (1.1, -0.8), the standard's
+  /// gradation function and table; 5: 1; 16: (1 + 2 sine) / 3.
   static double Radiance(int cieType, double sine);
 
   /// What the part of an azimuth above elevation t sends to a plane, per radian of azimuth and over

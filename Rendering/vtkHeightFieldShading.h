@@ -10,8 +10,8 @@
  * sky's irradiance over pi times its mean radiance; absent: that of a plane with the post's slope).
  *
  * Output: the input with two more point arrays:
- * - Radiance (float RGB, linear light): albedo / pi * (SunIrradiance * SunVisibility * max(0, n.s) +
- *   pi * SkyRadiance * sky), the light a Lambertian ground sends up; NaN at missing posts;
+ * - Radiance (float RGB, linear light): albedo / pi * (SunIrradiance * SunVisibility * max(0, n.s)
+ *   + pi * SkyRadiance * sky), the light a Lambertian ground sends up; NaN at missing posts;
  * - Picture (unsigned char RGBA, sRGB): Radiance times 2^EV through ToneMap.h; no channel reaches
  *   255; missing posts are transparent black. It becomes the active scalars.
  *
@@ -53,9 +53,9 @@ public:
 
   ///@{
   /**
-   * With UseTime, the sun's direction is that of the moment Time (ISO 8601, UTC without a zone) over
-   * each post, by the georeference in the input's field data; SunAzimuth and SunElevation are not
-   * used. Without a place on the Earth, or with a time that cannot be read, an error of the update.
+   * With UseTime, the sun's direction is that of the moment Time (ISO 8601, UTC without a zone)
+   * over each post, by the georeference in the input's field data; SunAzimuth and SunElevation are
+   * not used. Without a place on the Earth, or with a time that cannot be read, an error of the update.
    * Defaults: off, empty.
    */
   vtkSetMacro(UseTime, bool);
@@ -94,8 +94,8 @@ public:
 
   ///@{
   /**
-   * Name of the colour map: hypsometric (default), ocean, viridis, cividis or gray, see ColorMaps.h.
-   * An unknown name is an error of the update.
+   * Name of the colour map: hypsometric (default), ocean, viridis, cividis or gray, see
+   * ColorMaps.h. An unknown name is an error of the update.
    */
   vtkSetMacro(ColorMap, std::string);
   vtkGetMacro(ColorMap, std::string);

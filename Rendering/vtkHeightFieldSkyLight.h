@@ -28,8 +28,8 @@ public:
   ///@}
 
   ///@{
-  /// The sky by its number in CIE S 011: 1 overcast (default), 3 overcast with a moderate gradation,
-  /// 5 uniform, 16 the traditional overcast sky. Others are an error of the update.
+  /// The sky by its number in CIE S 011: 1 overcast (default), 3 overcast with a moderate
+  /// gradation, 5 uniform, 16 the traditional overcast sky. Others are an error of the update.
   vtkSetMacro(CieType, int);
   vtkGetMacro(CieType, int);
   ///@}

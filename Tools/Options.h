@@ -39,7 +39,8 @@ struct HorizonOptions
   double Tolerance = 0.0;
   void AddTo(CLI::App& command, bool azimuths = true);
 
-  /// Sets the properties that all filters of horizons share. Throws Failure for values out of range.
+  /// Sets the properties that all filters of horizons share. Throws Failure for values out of
+  /// range.
   template <typename Filter>
   void Apply(Filter* filter) const
   {

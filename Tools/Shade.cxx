@@ -213,9 +213,10 @@ void AddShade(CLI::App& program)
   command->Sun.AddTo(*app);
   app
     ->add_option("--environment", command->Environment,
-      "The sky. uniform: equally bright all over;\ncie:N: sky N of CIE S 011: 1 overcast, 3 overcast "
-      "with a moderate gradation, 5 uniform,\n16 traditional overcast (three times as bright in the "
-      "zenith as at the horizon);\nnone: black")
+      "The sky. uniform: equally bright all over;\n"
+      "cie:N: sky N of CIE S 011: 1 overcast, 3 overcast with a moderate gradation, 5 uniform,\n"
+      "16 traditional overcast (three times as bright in the zenith as at the horizon);\n"
+      "none: black")
     ->type_name("NAME")
     ->check(CLI::Validator(
       [](std::string& name)

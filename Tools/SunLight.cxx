@@ -68,9 +68,9 @@ void SunOptions::AddTo(CLI::App& command)
     ->excludes(time);
   command
     .add_option("--sun-radius", this->Radius,
-      "Angular radius of the sun's disc in degrees, 0 to less than 90; 0: hard shadows.\nDefault: the "
-      "true one with --time, 0.26645 otherwise. Given with --time, all posts get the sun\nof the "
-      "DEM's centre")
+      "Angular radius of the sun's disc in degrees, 0 to less than 90; 0: hard shadows.\n"
+      "Default: the true one with --time, 0.26645 otherwise. Given with --time, all posts\n"
+      "get the sun of the DEM's centre")
     ->type_name("DEG");
   command.add_flag("--limb-darkening", this->LimbDarkening,
     "Let the sun's disc be darker at its edge, as the true one is");

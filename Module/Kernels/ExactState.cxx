@@ -17,7 +17,7 @@ constexpr double SupportSlope = 0.15;
 // heights themselves: 4 units in the last place. Keeps planes and lakes from being searched in full.
 constexpr float RoundingPart = 4.0f * std::numeric_limits<float>::epsilon();
 
-}
+} // namespace
 
 void SegmentBounds::Resize(std::ptrdiff_t lines, std::ptrdiff_t stride, std::ptrdiff_t margin)
 {
@@ -32,8 +32,7 @@ void SegmentBounds::Resize(std::ptrdiff_t lines, std::ptrdiff_t stride, std::ptr
   }
 }
 
-void ExactState::Set(
-  const RayFrame& frame, bool corners, double tolerance, float largestHeight)
+void ExactState::Set(const RayFrame& frame, bool corners, double tolerance, float largestHeight)
 {
   this->Frame = &frame;
   constexpr std::ptrdiff_t margin = 96; // the bounds' own margin and a vector read beyond it
@@ -45,9 +44,8 @@ void ExactState::Set(
   this->LinesPerMetre = static_cast<float>(1.0 / frame.StepLength);
 
   const auto whole = [&](std::ptrdiff_t e) { return frame.DriftAfter(e); };
-  const auto further = [&](std::ptrdiff_t e) {
-    return static_cast<std::ptrdiff_t>(std::ceil(frame.Slant * static_cast<double>(e)));
-  };
+  const auto further = [&](std::ptrdiff_t e)
+  { return static_cast<std::ptrdiff_t>(std::ceil(frame.Slant * static_cast<double>(e))); };
   for (std::ptrdiff_t e = 0; e <= SegmentBounds::Lines; ++e)
   {
     // A ray that enters by lane q in [0, 1) is at trail lane whole(e) or further(e), lead lane 1 on.
@@ -59,9 +57,8 @@ void ExactState::Set(
       first -= e > 0 && whole(e) > whole(e - 1) ? 1 : 0;
       last += e < SegmentBounds::Lines && further(e + 1) > further(e) ? 1 : 0;
     }
-    this->Reach[static_cast<std::size_t>(e)] = frame.Drift > 0
-      ? SegmentReach{ first, last }
-      : SegmentReach{ 1 - last, 1 - first };
+    this->Reach[static_cast<std::size_t>(e)] =
+      frame.Drift > 0 ? SegmentReach{ first, last } : SegmentReach{ 1 - last, 1 - first };
   }
 }
 

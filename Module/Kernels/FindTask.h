@@ -29,8 +29,7 @@ struct FindTask
     for (std::size_t i = 0; i < this->Receivers.size(); ++i)
     {
       const std::ptrdiff_t line = lineBegin + static_cast<std::ptrdiff_t>(i);
-      this->Receivers[i] =
-        field.Receivers(frame.Columns, frame.ImageLine(line), this->Buffers[i]);
+      this->Receivers[i] = field.Receivers(frame.Columns, frame.ImageLine(line), this->Buffers[i]);
     }
   }
 

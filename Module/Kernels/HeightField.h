@@ -18,7 +18,8 @@ namespace skyline
 class PaddedPlane
 {
 public:
-  static constexpr std::ptrdiff_t Margin = 48; ///< lanes before and after a line: a block of 32 and its reach
+  static constexpr std::ptrdiff_t Margin =
+    48; ///< lanes before and after a line: a block of 32 and its reach
 
   PaddedPlane() = default;
   PaddedPlane(std::ptrdiff_t lines, std::ptrdiff_t lanes)
@@ -29,7 +30,10 @@ public:
   {
   }
 
-  float* Line(std::ptrdiff_t line) { return this->Values.data() + (line + 1) * this->Stride + Margin; }
+  float* Line(std::ptrdiff_t line)
+  {
+    return this->Values.data() + (line + 1) * this->Stride + Margin;
+  }
   const float* Line(std::ptrdiff_t line) const
   {
     return this->Values.data() + (line + 1) * this->Stride + Margin;

@@ -79,7 +79,8 @@ void BuildBounds(ExactState& state, std::ptrdiff_t group)
       const std::ptrdiff_t b = std::clamp(lane + frame.Drift * further, laneBegin, laneEnd);
       const Vector offset = hn::Set(tag, state.Support * static_cast<float>(e));
       top = hn::Max(top,
-        hn::Max(hn::LoadU(tag, bounds.Level(segment) + a), hn::LoadU(tag, bounds.Level(segment) + b)));
+        hn::Max(
+          hn::LoadU(tag, bounds.Level(segment) + a), hn::LoadU(tag, bounds.Level(segment) + b)));
       leaning = hn::Max(leaning,
         hn::Sub(hn::Max(hn::LoadU(tag, bounds.Tilted(segment) + a),
                   hn::LoadU(tag, bounds.Tilted(segment) + b)),
@@ -97,8 +98,7 @@ struct BlockTest
 {
   HWY_INLINE BlockTest(const ExactState& state, const Block& heights)
     : State(state)
-    , Heights(Each(
-        [&](Vector h) { return hn::Add(h, hn::Set(Lanes(), state.Rounding)); }, heights))
+    , Heights(Each([&](Vector h) { return hn::Add(h, hn::Set(Lanes(), state.Rounding)); }, heights))
   {
   }
 
@@ -111,12 +111,12 @@ struct BlockTest
     const Vector inverse = hn::Set(Lanes(), this->State.SupportInverse);
     const Vector length = hn::Set(Lanes(), lines);
     this->Slope = Each([&](Vector g) { return hn::Add(g, tolerance); }, best);
-    this->Blend = Each(
-      [&](Vector g) { return hn::Min(hn::Max(hn::Mul(g, inverse), zero), one); }, this->Slope);
+    this->Blend =
+      Each([&](Vector g) { return hn::Min(hn::Max(hn::Mul(g, inverse), zero), one); }, this->Slope);
     // A slope below 0 would be passed under by up to the whole length.
     this->Threshold =
-      Each([&](Vector g, Vector h) { return hn::MulAdd(hn::Min(g, zero), length, h); },
-        this->Slope, this->Heights);
+      Each([&](Vector g, Vector h) { return hn::MulAdd(hn::Min(g, zero), length, h); }, this->Slope,
+        this->Heights);
   }
 
   /// True if a receiver of the block may gain from what these bounds bound, `line` lines ahead.
@@ -129,8 +129,8 @@ struct BlockTest
       Each([](Vector blend, Vector t, Vector l) { return hn::MulAdd(blend, hn::Sub(t, l), l); },
         this->Blend, Load(tilted), top);
     const Block needed =
-      Each([&](Vector g, Vector t) { return hn::MulAdd(g, lines, hn::Add(t, sunk)); },
-        this->Slope, this->Threshold);
+      Each([&](Vector g, Vector t) { return hn::MulAdd(g, lines, hn::Add(t, sunk)); }, this->Slope,
+        this->Threshold);
     return AnyGreater(bound, needed);
   }
 
@@ -167,7 +167,8 @@ struct BlockSearch
   {
     const std::ptrdiff_t first = (this->Line + ExactState::NearLines + Lines - 1) / Lines;
     const std::ptrdiff_t near = std::min(first * Lines - this->Line, this->Last);
-    this->Best = WalkSteps<Kind>(*this->State.Frame, this->Origin, this->Heights, this->Best, 1, near);
+    this->Best =
+      WalkSteps<Kind>(*this->State.Frame, this->Origin, this->Heights, this->Best, 1, near);
     if (near == this->Last)
     {
       return this->Best;
@@ -187,8 +188,8 @@ struct BlockSearch
       for (; groups != 0; groups &= groups - 1)
       {
         const std::ptrdiff_t group = begin + LowestBit(groups);
-        this->SearchGroup(std::max(group * PerGroup, first),
-          std::min((group + 1) * PerGroup - 1, last), hints);
+        this->SearchGroup(
+          std::max(group * PerGroup, first), std::min((group + 1) * PerGroup - 1, last), hints);
       }
     }
     hints = this->Found;
@@ -204,8 +205,8 @@ private:
   HWY_INLINE void WalkSegment(std::ptrdiff_t segment)
   {
     const std::ptrdiff_t from = segment * Lines - this->Line;
-    const Block raised = WalkSteps<Kind>(*this->State.Frame, this->Origin, this->Heights, this->Best,
-      from + 1, std::min(from + Lines, this->Last));
+    const Block raised = WalkSteps<Kind>(*this->State.Frame, this->Origin, this->Heights,
+      this->Best, from + 1, std::min(from + Lines, this->Last));
     if (AnyGreater(raised, this->Best))
     {
       this->Best = raised;
@@ -342,8 +343,8 @@ HorizonExact::HorizonExact(const HeightField& field, const HorizonSettings& sett
 void HorizonExact::SetAzimuth(const Grid& grid, double azimuth)
 {
   this->Ray = std::make_unique<RayFrame>(this->Field, grid, azimuth, this->Settings.Sink);
-  const bool corners = this->Ray->Against || this->Field.HasMissing() ||
-    this->Settings.Shape == Surface::Bilinear;
+  const bool corners =
+    this->Ray->Against || this->Field.HasMissing() || this->Settings.Shape == Surface::Bilinear;
   this->State.Set(*this->Ray, corners, this->Settings.Tolerance, this->Field.LargestHeight());
 }
 

@@ -29,7 +29,10 @@ struct SegmentBounds
   float* GroupLevel(std::ptrdiff_t group) { return this->At(2 * (this->Segments + group)); }
   float* GroupTilted(std::ptrdiff_t group) { return this->At(2 * (this->Segments + group) + 1); }
   const float* Level(std::ptrdiff_t s) const { return const_cast<SegmentBounds*>(this)->Level(s); }
-  const float* Tilted(std::ptrdiff_t s) const { return const_cast<SegmentBounds*>(this)->Tilted(s); }
+  const float* Tilted(std::ptrdiff_t s) const
+  {
+    return const_cast<SegmentBounds*>(this)->Tilted(s);
+  }
   const float* GroupLevel(std::ptrdiff_t g) const
   {
     return const_cast<SegmentBounds*>(this)->GroupLevel(g);

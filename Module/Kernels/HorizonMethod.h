@@ -29,7 +29,7 @@ struct HorizonSettings
 {
   HorizonMethodKind Method = HorizonMethodKind::Exact;
   Surface Shape = Surface::Triangles; ///< Sweep takes Triangles and means its own samples
-  double Sink = 0.0;      ///< (1 - k) / 2R in 1/m: how a post sinks with its distance squared; 0 flat
+  double Sink = 0.0; ///< (1 - k) / 2R in 1/m: how a post sinks with its distance squared; 0 flat
   double Tolerance = 0.0; ///< radians by which Exact may fall short of the horizon, 0 or more
 };
 

@@ -26,8 +26,8 @@ bool HeightAt(const PaddedPlane& rows, double column, double row, double& height
 {
   const double columnFloor = std::floor(column);
   const double rowFloor = std::floor(row);
-  if (!(columnFloor >= 0.0) || !(rowFloor >= 0.0) ||
-    column > static_cast<double>(rows.Lanes - 1) || row > static_cast<double>(rows.Lines - 1))
+  if (!(columnFloor >= 0.0) || !(rowFloor >= 0.0) || column > static_cast<double>(rows.Lanes - 1) ||
+    row > static_cast<double>(rows.Lines - 1))
   {
     return false;
   }
@@ -43,8 +43,8 @@ bool HeightAt(const PaddedPlane& rows, double column, double row, double& height
   {
     return false;
   }
-  height = (1.0 - y) * ((1.0 - x) * low[0] + x * low[right]) +
-    y * ((1.0 - x) * high[0] + x * high[right]);
+  height =
+    (1.0 - y) * ((1.0 - x) * low[0] + x * low[right]) + y * ((1.0 - x) * high[0] + x * high[right]);
   return true;
 }
 
@@ -154,8 +154,7 @@ void HorizonSweep::Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd, std::p
         sum += weight * slope;
         weights += weight;
       }
-      out[lane - laneBegin] =
-        weights > 0.0 ? static_cast<float>(sum / weights) : NoTerrainSlope;
+      out[lane - laneBegin] = weights > 0.0 ? static_cast<float>(sum / weights) : NoTerrainSlope;
     }
   }
 }

@@ -29,10 +29,11 @@ public:
 private:
   const HeightField& Field;
   HorizonSettings Settings;
-  Grid Posts;               // with the spacing of the receivers
-  Direction Along{ 0, 1 };  // towards the azimuth; the lines lie side by side to its right
-  double Step = 1.0;        // metres between samples and between lines
-  double AlongBegin = 0.0, AcrossBegin = 0.0; // metres from post (0, 0) to the first sample and line
+  Grid Posts;              // with the spacing of the receivers
+  Direction Along{ 0, 1 }; // towards the azimuth; the lines lie side by side to its right
+  double Step = 1.0;       // metres between samples and between lines
+  double AlongBegin = 0.0,
+         AcrossBegin = 0.0; // metres from post (0, 0) to the first sample and line
   std::ptrdiff_t SweepLines = 0, Samples = 0;
   std::vector<float> Slopes; // [line][sample], NaN outside the data
 };

@@ -27,11 +27,11 @@ Direction DirectionOfAzimuth(double degrees);
 /// metres of height per line, is  a * A + b * B - sink  with heights A, B above the receiver.
 struct RayStep
 {
-  std::int32_t Lane; ///< lane of the trail post on line D, from the receiver's lane
-  std::int32_t Next; ///< 1: the ray changes its column of cells in this step
+  std::int32_t Lane;                ///< lane of the trail post on line D, from the receiver's lane
+  std::int32_t Next;                ///< 1: the ray changes its column of cells in this step
   float RowTrail, RowLead, RowSink; ///< the edge from trail to lead on line D
-  float MidNear, MidFar, MidSink;   ///< between the lines, weights of the posts on lines D - 1 and D:
-                                    ///< the cell's diagonal, or the column edge if Next
+  float MidNear, MidFar, MidSink; ///< between the lines, weights of the posts on lines D - 1 and D:
+                                  ///< the cell's diagonal, or the column edge if Next
 };
 
 /// The diagonals of both cells of a Next step, on a surface whose diagonals run against the drift.
@@ -56,20 +56,20 @@ public:
   /// azimuth: degrees clockwise from grid north; sink: (1 - k) / 2R in 1/m, 0 for a flat body.
   RayFrame(const HeightField& field, const Grid& grid, double azimuth, double sink);
 
-  const float* Heights = nullptr;  ///< post (line 0, lane 0)
-  std::ptrdiff_t LineStride = 0;   ///< floats to the next line along the rays, may be negative
-  std::ptrdiff_t Lines = 0;        ///< lines of posts
-  std::ptrdiff_t Lanes = 0;        ///< posts in a line
-  bool Columns = false;            ///< lines are columns of the image
-  bool Reversed = false;           ///< lines count from the north or east edge
-  int Drift = 1;                   ///< +1 or -1: where the ray drifts, in lanes
-  double Slant = 0.0;              ///< lanes of drift per line, 0 to 1
-  double StepLength = 1.0;         ///< metres along the ray per line
-  bool Against = false;            ///< the diagonals run against the drift
-  float SinkPerLine2 = 0.0f;       ///< metres of sink per line squared
-  std::vector<RayStep> Steps;      ///< [D] for D = 1 .. Lines - 1; [0] is all zero
-  std::vector<SideStep> Sides;     ///< likewise
-  std::vector<StepPlace> Places;   ///< likewise
+  const float* Heights = nullptr; ///< post (line 0, lane 0)
+  std::ptrdiff_t LineStride = 0;  ///< floats to the next line along the rays, may be negative
+  std::ptrdiff_t Lines = 0;       ///< lines of posts
+  std::ptrdiff_t Lanes = 0;       ///< posts in a line
+  bool Columns = false;           ///< lines are columns of the image
+  bool Reversed = false;          ///< lines count from the north or east edge
+  int Drift = 1;                  ///< +1 or -1: where the ray drifts, in lanes
+  double Slant = 0.0;             ///< lanes of drift per line, 0 to 1
+  double StepLength = 1.0;        ///< metres along the ray per line
+  bool Against = false;           ///< the diagonals run against the drift
+  float SinkPerLine2 = 0.0f;      ///< metres of sink per line squared
+  std::vector<RayStep> Steps;     ///< [D] for D = 1 .. Lines - 1; [0] is all zero
+  std::vector<SideStep> Sides;    ///< likewise
+  std::vector<StepPlace> Places;  ///< likewise
 
   /// Whole lanes of drift after `lines` lines.
   std::ptrdiff_t DriftAfter(std::ptrdiff_t lines) const

@@ -77,17 +77,16 @@ HWY_INLINE Block Max(const Block& a, const Block& b)
 }
 HWY_INLINE bool AnyGreater(const Block& a, const Block& b)
 {
-  return !hn::AllFalse(
-    Lanes(), hn::Or(hn::Gt(a.First, b.First), hn::Gt(a.Second, b.Second)));
+  return !hn::AllFalse(Lanes(), hn::Or(hn::Gt(a.First, b.First), hn::Gt(a.Second, b.Second)));
 }
 
 /// How the surface between the posts is walked.
 enum class Walk
 {
-  Along,    ///< triangles without missing posts, diagonals along the drift
-  Against,  ///< triangles without missing posts, diagonals against the drift
-  Holes,    ///< triangles, cells with a missing post carry no surface
-  Bilinear  ///< bilinear patches, with or without missing posts
+  Along,   ///< triangles without missing posts, diagonals along the drift
+  Against, ///< triangles without missing posts, diagonals against the drift
+  Holes,   ///< triangles, cells with a missing post carry no surface
+  Bilinear ///< bilinear patches, with or without missing posts
 };
 
 /// The slope at which the rays meet the edge between posts a and b.
@@ -145,19 +144,17 @@ HWY_INLINE Vector InsidePatch(Mask complete, Vector best, const RayFrame& frame,
   const auto peaked = hn::And(hn::Lt(bend, hn::Zero(tag)), hn::Lt(a, hn::Zero(tag)));
   // From the entry, not as b - 2 sqrt(a bend): far from the receiver that difference loses digits.
   const Vector t = hn::Min(hn::Max(hn::Sqrt(hn::Max(hn::Div(a, bend), hn::Zero(tag))), t0), t1);
-  const Vector height =
-    hn::MulAdd(hn::Sub(t, t0), hn::MulAdd(bend, hn::Sub(t, t1), rise), low);
-  return hn::IfThenElse(
-    hn::And(complete, peaked), hn::Max(best, hn::Div(height, t)), best);
+  const Vector height = hn::MulAdd(hn::Sub(t, t0), hn::MulAdd(bend, hn::Sub(t, t1), rise), low);
+  return hn::IfThenElse(hn::And(complete, peaked), hn::Max(best, hn::Div(height, t)), best);
 }
 
 HWY_INLINE Block InsidePatch(const BlockMask& complete, const Block& best, const RayFrame& frame,
   const Block& in, double lineIn, const Block& out, double lineOut, const Block& twist)
 {
-  return { InsidePatch(complete.First, best.First, frame, in.First, lineIn, out.First, lineOut,
-             twist.First),
-    InsidePatch(complete.Second, best.Second, frame, in.Second, lineIn, out.Second, lineOut,
-      twist.Second) };
+  return { InsidePatch(
+             complete.First, best.First, frame, in.First, lineIn, out.First, lineOut, twist.First),
+    InsidePatch(
+      complete.Second, best.Second, frame, in.Second, lineIn, out.Second, lineOut, twist.Second) };
 }
 
 /// The heights of the edges from a to b, `part` of the way.
@@ -221,15 +218,16 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
         const auto complete = Complete(trailBefore, leadBefore, trail, lead);
         if (d > 1)
         {
-          best = EdgeOf(complete, best, entry.RowTrail, trailBefore, entry.RowLead, leadBefore,
-            entry.RowSink);
+          best = EdgeOf(
+            complete, best, entry.RowTrail, trailBefore, entry.RowLead, leadBefore, entry.RowSink);
         }
         best = EdgeOf(complete, best, step.RowTrail, trail, step.RowLead, lead, step.RowSink);
         if (mixed)
         {
           const Block twist = Sub(Sub(lead, trail), Sub(leadBefore, trailBefore));
-          best = InsidePatch(complete, best, frame, Mix(trailBefore, leadBefore, places[d - 1].Part),
-            static_cast<double>(d) - 1.0, Mix(trail, lead, places[d].Part), static_cast<double>(d), twist);
+          best = InsidePatch(complete, best, frame,
+            Mix(trailBefore, leadBefore, places[d - 1].Part), static_cast<double>(d) - 1.0,
+            Mix(trail, lead, places[d].Part), static_cast<double>(d), twist);
         }
         else
         {
@@ -251,24 +249,23 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
         }
         best = EdgeOf({ hn::Or(leftComplete.First, rightComplete.First),
                         hn::Or(leftComplete.Second, rightComplete.Second) },
-          best, step.MidNear, leadBefore,
-          step.MidFar, trail, step.MidSink);
-        best =
-          EdgeOf(rightComplete, best, step.RowTrail, trail, step.RowLead, lead, step.RowSink);
+          best, step.MidNear, leadBefore, step.MidFar, trail, step.MidSink);
+        best = EdgeOf(rightComplete, best, step.RowTrail, trail, step.RowLead, lead, step.RowSink);
         if (mixed)
         {
-          const Block middle = Mix(leadBefore, trail, places[d].MidLine - (static_cast<double>(d) - 1.0));
-          best = InsidePatch(leftComplete, best, frame, Mix(trailBefore, leadBefore, places[d - 1].Part),
-            static_cast<double>(d) - 1.0, middle, places[d].MidLine,
-            Sub(Sub(trail, left), Sub(leadBefore, trailBefore)));
+          const Block middle =
+            Mix(leadBefore, trail, places[d].MidLine - (static_cast<double>(d) - 1.0));
+          best = InsidePatch(leftComplete, best, frame,
+            Mix(trailBefore, leadBefore, places[d - 1].Part), static_cast<double>(d) - 1.0, middle,
+            places[d].MidLine, Sub(Sub(trail, left), Sub(leadBefore, trailBefore)));
           best = InsidePatch(rightComplete, best, frame, middle, places[d].MidLine,
             Mix(trail, lead, places[d].Part), static_cast<double>(d),
             Sub(Sub(lead, trail), Sub(right, leadBefore)));
         }
         else if (frame.Against)
         {
-          best =
-            EdgeOf(leftComplete, best, side.LeftNear, leadBefore, side.LeftFar, left, side.LeftSink);
+          best = EdgeOf(
+            leftComplete, best, side.LeftNear, leadBefore, side.LeftFar, left, side.LeftSink);
           best = EdgeOf(
             rightComplete, best, side.RightNear, right, side.RightFar, trail, side.RightSink);
         }
@@ -295,8 +292,8 @@ HWY_INLINE void StoreSlopes(const Block& best, float linesPerMetre, float* slope
   const Vector scale = hn::Set(Lanes(), linesPerMetre);
   const Vector none = hn::Set(Lanes(), NoTerrainSlope);
   const Vector limit = hn::Set(Lanes(), NoEdge);
-  Store(Each([&](Vector x) { return hn::IfThenElse(hn::Lt(x, limit), none, hn::Mul(x, scale)); },
-          best),
+  Store(
+    Each([&](Vector x) { return hn::IfThenElse(hn::Lt(x, limit), none, hn::Mul(x, scale)); }, best),
     slopes);
 }
 

@@ -6,9 +6,9 @@
 namespace skyline
 {
 
-constexpr double Pi = 3.14159265358979323846;      ///< acos(-1)
-constexpr double DegreesPerRadian = 180.0 / Pi;    ///< 180 / pi
-constexpr double RadiansPerDegree = Pi / 180.0;    ///< pi / 180
+constexpr double Pi = 3.14159265358979323846;   ///< acos(-1)
+constexpr double DegreesPerRadian = 180.0 / Pi; ///< 180 / pi
+constexpr double RadiansPerDegree = Pi / 180.0; ///< pi / 180
 
 /// Tangent of the horizon where no terrain lies in a direction. Its square still is a finite float,
 /// and atan of it is -90 degrees in float.

@@ -41,7 +41,7 @@ namespace
 {
 
 // The receiver above its post, in spacings: a ray that starts on the very post and dives under its
-// own triangles would hit nothing. Raises no horizon, lowers one by 0.006 degrees at most.
+// own triangles would hit nothing. It lowers a horizon by 0.01 degrees at most.
 constexpr double Raise = 1.0e-4;
 
 // First step from the horizon of the azimuth before: about what terrain changes in a few degrees.

@@ -18,8 +18,8 @@ std::string EmbreeVersion();
 
 /// Errors on the posts of the truth; times on runs of adjacent posts, whose rays share caches as those
 /// of a whole raster do, all azimuths of a post in turn. accuracy: degrees by which a horizon may be
-/// off. Search: occlusion rays only, the bracket grown from the horizon of the azimuth before and
-/// halved until it is two accuracies wide (Steger, Steger and Schaer 2022, HORAYZON, search likewise).
+/// off. Search: occlusion rays only, a bracket grown from the horizon of the azimuth before, as HORAYZON
+/// (Steger, Steger and Schaer 2022) starts, and halved until it is two accuracies wide.
 Result MeasureEmbree(const Scene& scene, const Truth& truth, double accuracy, int repeats);
 
 } // namespace benchmark

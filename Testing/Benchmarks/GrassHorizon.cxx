@@ -220,18 +220,19 @@ Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths)
   const Location location(field, base);
   location.ImportHeights();
 
-  Laps laps;
+  ProgramCost sum;
   ErrorSum errors;
   for (int k = 0; k < azimuths; ++k)
   {
-    // Between the axes: the first of three quarters, in every turn of the circle.
+    // Spread over the circle, and off its axes and diagonals.
     const std::size_t count = truth.Azimuths.size();
     const std::size_t index = (count * static_cast<std::size_t>(8 * k + 3)) /
         static_cast<std::size_t>(8 * azimuths) % count;
     const double angle = std::fmod(450.0 - truth.Azimuths[index], 360.0); // from east, to the left
     const ProgramCost cost = location.Run("r.horizon",
       { "-d", "elevation=heights", "direction=" + std::to_string(angle), "output=horizon" });
-    laps.Add({}, { cost.Cpu, cost.Wall });
+    sum.Cpu += cost.Cpu;
+    sum.Wall += cost.Wall;
 
     const std::string raster =
       NewRaster(location.File("place") + std::string("/PERMANENT/fcell"));
@@ -253,7 +254,9 @@ Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths)
     }
   }
   Result result;
-  laps.Report(result, static_cast<double>(field.Heights.size()));
+  Laps laps;
+  laps.Add({}, { sum.Cpu, sum.Wall });
+  laps.Report(result, static_cast<double>(field.Heights.size()) * azimuths);
   result.PrepareNs = NotMeasured;
   result.SearchNs = NotMeasured;
   result.Error = errors.Get();

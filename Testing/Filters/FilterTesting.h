@@ -56,10 +56,7 @@ public:
     this->Text += static_cast<const char*>(text);
     ++this->Count;
   }
-  void Watch(vtkAlgorithm* algorithm)
-  {
-    algorithm->AddObserver(vtkCommand::ErrorEvent, this);
-  }
+  void Watch(vtkAlgorithm* algorithm) { algorithm->AddObserver(vtkCommand::ErrorEvent, this); }
   std::string Text;
   int Count = 0;
 };

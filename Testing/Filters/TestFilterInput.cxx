@@ -128,17 +128,19 @@ TEST(FilterRun, ReportsProgressAndStops)
   } watcher;
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(&watcher);
-  command->SetCallback([](vtkObject* caller, unsigned long, void* data, void* part) {
-    auto* seen = static_cast<Watcher*>(data);
-    const double now = *static_cast<double*>(part);
-    EXPECT_GE(now, 0.0);
-    EXPECT_LE(now, 1.0);
-    seen->Last = now;
-    if (++seen->Calls == 10)
+  command->SetCallback(
+    [](vtkObject* caller, unsigned long, void* data, void* part)
     {
-      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-    }
-  });
+      auto* seen = static_cast<Watcher*>(data);
+      const double now = *static_cast<double*>(part);
+      EXPECT_GE(now, 0.0);
+      EXPECT_LE(now, 1.0);
+      seen->Last = now;
+      if (++seen->Calls == 10)
+      {
+        vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+      }
+    });
   filter->AddObserver(vtkCommand::ProgressEvent, command);
   filter->Update();
   EXPECT_LT(watcher.Calls, 15);

@@ -140,30 +140,32 @@ TEST(Filters, GiveTheSameBitsOnAnyNumberOfThreads)
   std::vector<float> first;
   for (int threads = 1; threads <= 8; ++threads)
   {
-    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads }, [&]() {
-      vtkNew<vtkHeightFieldHorizon> horizon;
-      horizon->SetInputData(image);
-      horizon->SetNumberOfAzimuths(8);
-      horizon->Update();
-      vtkNew<vtkHeightFieldSkyView> sky;
-      sky->SetInputData(image);
-      sky->SetNumberOfAzimuths(9);
-      sky->Update();
-      std::vector<float> bits;
-      for (vtkFloatArray* array : { ArrayOf(horizon, "HorizonElevation"),
-             ArrayOf(sky, "SkyViewFactor"), ArrayOf(sky, "PositiveOpenness") })
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads },
+      [&]()
       {
-        bits.insert(
-          bits.end(), array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues());
-      }
-      if (first.empty())
-      {
-        first = bits;
-      }
-      ASSERT_EQ(first.size(), bits.size());
-      EXPECT_EQ(std::memcmp(first.data(), bits.data(), bits.size() * sizeof(float)), 0)
-        << threads << " threads";
-    });
+        vtkNew<vtkHeightFieldHorizon> horizon;
+        horizon->SetInputData(image);
+        horizon->SetNumberOfAzimuths(8);
+        horizon->Update();
+        vtkNew<vtkHeightFieldSkyView> sky;
+        sky->SetInputData(image);
+        sky->SetNumberOfAzimuths(9);
+        sky->Update();
+        std::vector<float> bits;
+        for (vtkFloatArray* array : { ArrayOf(horizon, "HorizonElevation"),
+               ArrayOf(sky, "SkyViewFactor"), ArrayOf(sky, "PositiveOpenness") })
+        {
+          bits.insert(
+            bits.end(), array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues());
+        }
+        if (first.empty())
+        {
+          first = bits;
+        }
+        ASSERT_EQ(first.size(), bits.size());
+        EXPECT_EQ(std::memcmp(first.data(), bits.data(), bits.size() * sizeof(float)), 0)
+          << threads << " threads";
+      });
   }
 }
 
@@ -174,7 +176,8 @@ TEST(Filters, TakeEveryTypeOfHeight)
   {
     height = std::nearbyint(height);
   }
-  const auto horizonOf = [](vtkImageData* image) {
+  const auto horizonOf = [](vtkImageData* image)
+  {
     vtkNew<vtkHeightFieldHorizon> filter;
     filter->SetInputData(image);
     filter->SetNumberOfAzimuths(5);
@@ -238,8 +241,8 @@ TEST(HorizonFilter, RowsHaveTheirOwnSpacing)
       const double azimuth = 2.0 * Pi * k / 7.0;
       for (const std::ptrdiff_t column : { 3, 25, 40 })
       {
-        const double truth = oracle::ElevationDegrees(
-          oracle::HorizonSlope(field, column, row, azimuth));
+        const double truth =
+          oracle::ElevationDegrees(oracle::HorizonSlope(field, column, row, azimuth));
         EXPECT_NEAR(horizon->GetComponent(row * field.Columns + column, k), truth, 0.0144 + 1e-4);
       }
     }

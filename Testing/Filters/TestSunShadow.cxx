@@ -16,8 +16,8 @@ namespace
 {
 
 // Posts that are lit by more than half of the disc against the oracle's point sun.
-double Agreement(const oracle::OracleField& field, vtkImageData* image, double azimuth,
-  double elevation)
+double Agreement(
+  const oracle::OracleField& field, vtkImageData* image, double azimuth, double elevation)
 {
   vtkNew<vtkHeightFieldSunShadow> filter;
   filter->SetInputData(image);
@@ -107,7 +107,8 @@ TEST(SunShadow, TimeOfDay)
   vtkNew<vtkHeightFieldSunShadow> filter;
   filter->SetInputConnection(reader->GetOutputPort());
   filter->UseTimeOn();
-  const auto mean = [&](const char* time) {
+  const auto mean = [&](const char* time)
+  {
     filter->SetTime(time);
     filter->Update();
     vtkFloatArray* visibility = ArrayOf(filter, "SunVisibility");

@@ -41,9 +41,9 @@ inline double BaseOf(const oracle::OracleField& field)
 inline HeightField FieldOf(const oracle::OracleField& field)
 {
   HeightField result(GridOf(field));
-  result.Fill(0, field.Rows, BaseOf(field), [&](std::ptrdiff_t column, std::ptrdiff_t row) {
-    return field.Heights[static_cast<std::size_t>(row * field.Columns + column)];
-  });
+  result.Fill(0, field.Rows, BaseOf(field),
+    [&](std::ptrdiff_t column, std::ptrdiff_t row)
+    { return field.Heights[static_cast<std::size_t>(row * field.Columns + column)]; });
   result.Close();
   result.Transpose();
   return result;
@@ -71,7 +71,8 @@ inline std::vector<float> Slopes(
       const std::ptrdiff_t image = frame.ImageLine(line);
       const std::ptrdiff_t post =
         frame.Columns ? lane * grid.Columns + image : image * grid.Columns + lane;
-      slopes[static_cast<std::size_t>(post)] = lines[static_cast<std::size_t>(line * stride + lane)];
+      slopes[static_cast<std::size_t>(post)] =
+        lines[static_cast<std::size_t>(line * stride + lane)];
     }
   }
   return slopes;

@@ -18,8 +18,8 @@ TEST(HeightField, RefusesWhatCarriesNoSurface)
   EXPECT_THROW(HeightField(Grid{ 5, 1, 1.0, 1.0 }), std::invalid_argument);
   EXPECT_THROW(HeightField(Grid{ 5, 5, 0.0, 1.0 }), std::invalid_argument);
   EXPECT_THROW(HeightField(Grid{ 5, 5, 1.0, -1.0 }), std::invalid_argument);
-  EXPECT_THROW(
-    HeightField(Grid{ 5, 5, std::numeric_limits<double>::quiet_NaN(), 1.0 }), std::invalid_argument);
+  EXPECT_THROW(HeightField(Grid{ 5, 5, std::numeric_limits<double>::quiet_NaN(), 1.0 }),
+    std::invalid_argument);
 }
 
 // A post alone among missing ones receives, but occludes nothing.
@@ -38,8 +38,8 @@ TEST(HeightField, LonelyPostsReceiveOnly)
   EXPECT_TRUE(posts.HasMissing());
   const auto method = MakeHorizonMethod(posts, HorizonSettings());
   const std::vector<float> east = Slopes(*method, GridOf(field), 90.0);
-  EXPECT_FLOAT_EQ(east[4 * 9 + 2], 0.0f);          // looks through the hole to the plain beyond
-  EXPECT_FLOAT_EQ(east[4 * 9 + 4], -5.0f / 4.0f);  // the farthest post of the plain is the highest
+  EXPECT_FLOAT_EQ(east[4 * 9 + 2], 0.0f);         // looks through the hole to the plain beyond
+  EXPECT_FLOAT_EQ(east[4 * 9 + 4], -5.0f / 4.0f); // the farthest post of the plain is the highest
 }
 
 TEST(HeightField, InfiniteIsMissing)

@@ -31,7 +31,8 @@ oracle::OracleField Hills()
   return shapes::Fractal(97, 131, 30.0, 1500.0, 7);
 }
 
-oracle::OracleField WithHoles(oracle::OracleField field, std::ptrdiff_t count, std::ptrdiff_t radius)
+oracle::OracleField WithHoles(
+  oracle::OracleField field, std::ptrdiff_t count, std::ptrdiff_t radius)
 {
   shapes::RemoveIslands(field, count, radius, 3);
   return field;
@@ -50,8 +51,7 @@ const std::vector<Scene>& Scenes()
     { "Hills", Hills },
     { "Anisotropic", [] { return With(Hills(), [](auto& f) { f.SpacingX = 7.0; }); } },
     { "ThousandToOne", [] { return With(Hills(), [](auto& f) { f.SpacingY = 30000.0; }); } },
-    { "TinySpacing",
-      [] { return With(shapes::Fractal(40, 50, 1e-6, 1e-4, 2), [](auto&) {}); } },
+    { "TinySpacing", [] { return With(shapes::Fractal(40, 50, 1e-6, 1e-4, 2), [](auto&) {}); } },
     { "HugeSpacing", [] { return shapes::Fractal(40, 50, 1e6, 9000.0, 2); } },
     { "RoundBody", [] { return With(Hills(), [](auto& f) { f.Sink = 0.87 / 2.0 / 6371000.0; }); } },
     { "SmallBody", [] { return With(Hills(), [](auto& f) { f.Sink = 1.0e-6; }); } },
@@ -64,24 +64,36 @@ const std::vector<Scene>& Scenes()
     { "TwoByTwo", [] { return shapes::Fractal(2, 2, 30.0, 100.0, 4); } },
     { "TwoByMany", [] { return shapes::Fractal(2, 150, 30.0, 400.0, 4); } },
     { "ManyByTwo", [] { return shapes::Fractal(150, 2, 30.0, 400.0, 4); } },
-    { "Spike", [] { return With(shapes::Plane(70, 80, 1.0, 0.0, 0.0),
-                      [](auto& f) { f.At(33, 41) = 1.0e4; }); } },
-    { "Cliff", [] { return With(shapes::Fractal(70, 80, 1.0, 3.0, 2), [](auto& f) {
-                      for (std::ptrdiff_t j = 0; j < f.Rows; ++j)
-                      {
-                        for (std::ptrdiff_t i = 40; i < f.Columns; ++i)
-                        {
-                          f.At(i, j) += 1.0e6;
-                        }
-                      } }); } },
-    { "Peak", [] { return shapes::FromFunction(90, 90, 10.0, 10.0, 45, 45,
-                     [](double x, double y) { return -0.4 * std::hypot(x, y); }); } },
+    { "Spike",
+      [] {
+        return With(shapes::Plane(70, 80, 1.0, 0.0, 0.0), [](auto& f) { f.At(33, 41) = 1.0e4; });
+      } },
+    { "Cliff",
+      []
+      {
+        return With(shapes::Fractal(70, 80, 1.0, 3.0, 2),
+          [](auto& f)
+          {
+            for (std::ptrdiff_t j = 0; j < f.Rows; ++j)
+            {
+              for (std::ptrdiff_t i = 40; i < f.Columns; ++i)
+              {
+                f.At(i, j) += 1.0e6;
+              }
+            }
+          });
+      } },
+    { "Peak",
+      []
+      {
+        return shapes::FromFunction(
+          90, 90, 10.0, 10.0, 45, 45, [](double x, double y) { return -0.4 * std::hypot(x, y); });
+      } },
   };
   return scenes;
 }
 
-class HorizonOfScene
-  : public ::testing::TestWithParam<std::tuple<std::size_t, Surface>>
+class HorizonOfScene : public ::testing::TestWithParam<std::tuple<std::size_t, Surface>>
 {
 };
 
@@ -126,8 +138,8 @@ TEST_P(HorizonOfScene, ExactEqualsTheOracleAndFastIsCertified)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, HorizonOfScene,
-  ::testing::Combine(::testing::Range<std::size_t>(0, 19),
-    ::testing::Values(Surface::Triangles, Surface::Bilinear)),
+  ::testing::Combine(
+    ::testing::Range<std::size_t>(0, 19), ::testing::Values(Surface::Triangles, Surface::Bilinear)),
   SceneName);
 
 TEST(HorizonScenes, AreAllRun)
@@ -183,8 +195,7 @@ TEST(HorizonTolerance, CertifiesEveryError)
       const std::vector<float> found = Slopes(*method, GridOf(field), azimuth);
       for (std::size_t post = 0; post < truth.size(); ++post)
       {
-        const double error =
-          Elevation(found[post]) - oracle::ElevationDegrees(truth[post]);
+        const double error = Elevation(found[post]) - oracle::ElevationDegrees(truth[post]);
         ASSERT_LE(error, RoundingBound(field));
         ASSERT_GE(error, -degrees - RoundingBound(field));
       }

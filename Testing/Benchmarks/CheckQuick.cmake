@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Runs the program PROGRAM with --quick: it must end well and print its table. A test's own
+# PASS_REGULAR_EXPRESSION would not look at the exit code.
+execute_process(
+  COMMAND "${PROGRAM}" --quick --csv "${CSV}"
+  OUTPUT_VARIABLE output
+  RESULT_VARIABLE result)
+message("${output}")
+if (NOT result EQUAL 0)
+  message(FATAL_ERROR "SkylineBenchmark ended with ${result}")
+endif ()
+foreach (line IN ITEMS
+    "hills +exact " "walls +exact " "helens +exact " "hills +exact, 0.05 deg " "hills +fast "
+    "hills +sweep " "hills +every crossing " "hills +Embree 0.01 deg " "hills +GRASS r.horizon "
+    "hills +exact \\+ sky view " "exact over every crossing")
+  if (NOT output MATCHES "${line}")
+    message(FATAL_ERROR "no line '${line}'")
+  endif ()
+endforeach ()
+file(STRINGS "${CSV}" exact REGEX "^\"hills\",exact,[-0-9.e]+,")
+if (NOT exact)
+  message(FATAL_ERROR "no row of the exact method in ${CSV}")
+endif ()

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Methods.h"
+
+#include "EmbreeCaster.h"
+#include "EveryCrossing.h"
+#include "FusedSkyView.h"
+#include "GrassHorizon.h"
+#include "HorizonExact.h"
+#include "KernelMethods.h"
+
+#include <sstream>
+
+namespace skyline
+{
+namespace benchmark
+{
+
+namespace
+{
+
+constexpr double LooseTolerance = 0.05; // degrees
+
+Method OfSettings(const char* name, const char* label, HorizonMethodKind kind, double tolerance)
+{
+  HorizonSettings settings;
+  settings.Method = kind;
+  settings.Tolerance = tolerance * RadiansPerDegree;
+  const MakeMethod make = [settings](const HeightField& field)
+  { return MakeHorizonMethod(field, settings); };
+  return { name, label, [make](const Scene& scene, const Truth& truth, const Plan& plan)
+    { return MeasureKernel(scene, truth, make, plan.Repeats); } };
+}
+
+Result MeasureEveryCrossing(const Scene& scene, const Truth& truth, const Plan& plan)
+{
+  const MakeMethod make = [](const HeightField& field)
+  { return std::make_unique<EveryCrossing>(field, HorizonSettings()); };
+  return MeasureKernel(scene, truth, make, plan.Repeats, plan.Thin);
+}
+
+Method OfEmbree(const char* name, const char* label, double accuracy)
+{
+  return { name, label, [accuracy](const Scene& scene, const Truth& truth, const Plan& plan)
+    { return MeasureEmbree(scene, truth, accuracy, plan.Repeats); } };
+}
+
+} // namespace
+
+const std::vector<Method>& Methods()
+{
+  static const std::vector<Method> methods{
+    OfSettings("exact", "exact", HorizonMethodKind::Exact, 0.0),
+    OfSettings("tolerance", "exact, 0.05 deg", HorizonMethodKind::Exact, LooseTolerance),
+    OfSettings("fast", "fast", HorizonMethodKind::Fast, 0.0),
+    OfSettings("sweep", "sweep", HorizonMethodKind::Sweep, 0.0),
+    { "every", "every crossing", MeasureEveryCrossing },
+    OfEmbree("embree0.25", "Embree 0.25 deg", 0.25),
+    OfEmbree("embree0.01", "Embree 0.01 deg", 0.01),
+    { "grass", "GRASS r.horizon", [](const Scene& scene, const Truth& truth, const Plan& plan)
+      { return MeasureGrass(scene, truth, plan.GrassAzimuths); } },
+    { "skyview", "exact + sky view", [](const Scene& scene, const Truth& truth, const Plan& plan)
+      { return MeasureFusedSkyView(scene, truth, plan.Repeats); } },
+  };
+  return methods;
+}
+
+std::string DescribeMethods()
+{
+  std::ostringstream text;
+  text << "exact            every edge of " << ExactState::NearLines
+       << " near lines, then segments of " << SegmentBounds::Lines << " lines in groups of "
+       << SegmentBounds::PerGroup << " segments, skipped under their bounds\n"
+       << "exact, 0.05 deg  the same, may fall short by " << LooseTolerance << " degrees\n"
+       << "fast             the same, may fall short by " << FastTolerance * DegreesPerRadian
+       << " degrees\n"
+       << "sweep            Timonen & Westerholm 2010, resampled\n"
+       << "every crossing   plain float loops over all edges, vectorised by the compiler\n"
+       << "Embree           occlusion rays of one thread, the bracket grown from the azimuth before "
+          "and halved until it is twice the accuracy wide\n"
+       << "GRASS r.horizon  the whole raster, in few azimuths\n"
+       << "exact + sky view image to four sky quantities, as the filter runs it\n";
+  return text.str();
+}
+
+} // namespace benchmark
+} // namespace skyline
