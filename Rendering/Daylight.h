@@ -30,8 +30,8 @@ inline double AirMass(double elevation)
 /// after Rayleigh's air and a light haze (optical depths 0.0088 l^-4.08 and 0.05 l^-1.3 at
 /// wavelengths l of 0.61, 0.55 and 0.465 micrometres). The sky is pale blue; its strength is set
 /// for legible shadows (a fifth of the light on level ground at 45 degrees), not measured. White
-/// balance and scale are those of a camera set for level open ground, which gets irradiance pi in luminance
-/// and keeps a quarter of the cast. Without air the sun is white and the sky grey.
+/// balance and scale are those of a camera set for level open ground, which gets irradiance pi in
+/// luminance and keeps a quarter of the cast. Without air the sun is white and the sky grey.
 inline Daylight ClearDaylight(double elevation, bool air = true)
 {
   const double height = std::sin(std::clamp(elevation, 0.0, 90.0) * 0.017453292519943295);

@@ -106,7 +106,7 @@ inline float DecodeSrgb(float code)
 /// The sRGB code as a byte, rounded to the nearest.
 inline unsigned char SrgbByte(float linear)
 {
-  return static_cast<unsigned char>(255.0f * EncodeSrgb(linear) + 0.5f);
+  return static_cast<unsigned char>(std::lround(255.0f * EncodeSrgb(linear)));
 }
 
 } // namespace skyline

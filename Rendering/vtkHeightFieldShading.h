@@ -55,8 +55,8 @@ public:
   /**
    * With UseTime, the sun's direction is that of the moment Time (ISO 8601, UTC without a zone)
    * over each post, by the georeference in the input's field data; SunAzimuth and SunElevation are
-   * not used. Without a place on the Earth, or with a time that cannot be read, an error of the update.
-   * Defaults: off, empty.
+   * not used. Without a place on the Earth, or with a time that cannot be read, an error of the
+   * update. Defaults: off, empty.
    */
   vtkSetMacro(UseTime, bool);
   vtkGetMacro(UseTime, bool);

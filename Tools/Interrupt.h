@@ -10,9 +10,9 @@ namespace skyline
 constexpr unsigned int InterruptPatience = 2;
 
 /// From now on the first SIGINT, SIGTERM or SIGHUP sets a flag, so that the work can stop by
-/// itself; if it has not after InterruptPatience, or at a second signal, temporary files are removed
-/// and the program ends with status 1. A file that grows over the allowed size is a failed write
-/// from now on, not a signal.
+/// itself; if it has not after InterruptPatience, or at a second signal, temporary files are
+/// removed and the program ends with status 1. A file that grows over the allowed size is a failed
+/// write from now on, not a signal.
 void CatchInterrupts();
 
 /// Whether one of them came.

@@ -7,8 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
 #include <exception>
-#include <iostream>
 #include <new>
 #include <string>
 
@@ -20,15 +20,12 @@ constexpr int WrongUsage = 2;
 
 int Fail(const std::string& reason, int code)
 {
-  std::cerr << "skyline: " << skyline::FirstLine(reason) << std::endl;
+  std::fprintf(stderr, "skyline: %s\n", skyline::FirstLine(reason).c_str());
   return code;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int Run(int argc, char** argv)
 {
-  skyline::CatchInterrupts();
   CLI::App program("Horizons, sky view and soft shadows of rasters of heights", "skyline");
   program.set_version_flag("--version", "skyline " SKYLINE_VERSION);
   program.require_subcommand(1);
@@ -51,6 +48,18 @@ int main(int argc, char** argv)
   {
     return Fail(std::string(error.what()) + " (see skyline --help)", WrongUsage);
   }
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  skyline::CatchInterrupts();
+  try
+  {
+    return Run(argc, argv);
+  }
   catch (const std::bad_alloc&)
   {
     return Fail("not enough memory", RuntimeFailure);
@@ -59,5 +68,4 @@ int main(int argc, char** argv)
   {
     return Fail(error.what(), RuntimeFailure);
   }
-  return 0;
 }

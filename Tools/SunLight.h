@@ -40,8 +40,8 @@ struct SunLight
 };
 
 /// The sun over the centre of the terrain, at `height` metres. Without --time and --sun: azimuth
-/// 315 from grid north, elevation 45. Throws Failure for an elevation or radius out of range and for
-/// --time without a place on the Earth, and what ParseUtcTime and ComputeSun throw.
+/// 315 from grid north, elevation 45. Throws Failure for an elevation or radius out of range and
+/// for --time without a place on the Earth, and what ParseUtcTime and ComputeSun throw.
 SunLight FindSun(const SunOptions& options, const Georeference& place, double height);
 
 /// Gives that sun to the filter: by time, so that it differs from post to post, or by direction.

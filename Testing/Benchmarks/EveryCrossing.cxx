@@ -5,12 +5,25 @@
 #include <vector>
 
 // One build of the plain loops for each kind of vector, chosen when the program starts, so that they
-// have the same registers to run in as the method they are compared with.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+// have the same registers to run in as the method they are compared with. The choice comes before
+// the address sanitizer is ready for it.
+#if defined(__has_feature)
+#define SKYLINE_HAS_FEATURE(name) __has_feature(name)
+#else
+#define SKYLINE_HAS_FEATURE(name) 0
+#endif
+#if defined(__x86_64__) && __has_attribute(target_clones) && !defined(__SANITIZE_ADDRESS__) && \
+  !SKYLINE_HAS_FEATURE(address_sanitizer)
 #define SKYLINE_EVERY_VECTOR \
   __attribute__((target_clones("default", "arch=haswell", "arch=skylake-avx512")))
 #else
 #define SKYLINE_EVERY_VECTOR
+#endif
+// Of what a loop touches, only the slopes are written.
+#if defined(__clang__)
+#define SKYLINE_NO_ALIAS _Pragma("clang loop vectorize(assume_safety)")
+#else
+#define SKYLINE_NO_ALIAS _Pragma("GCC ivdep")
 #endif
 #define SKYLINE_INLINE inline __attribute__((always_inline))
 
@@ -55,11 +68,17 @@ SKYLINE_INLINE float Larger(float a, float b)
   return a > b ? a : b;
 }
 
+SKYLINE_INLINE float Smaller(float a, float b)
+{
+  return a < b ? a : b;
+}
+
 // Raises every lane to two edges.
 SKYLINE_INLINE void Raise(const Receivers& r, const Edge& first, const Edge& second)
 {
   const float* heights = r.Heights;
   float* best = r.Best;
+  SKYLINE_NO_ALIAS
   for (std::ptrdiff_t lane = r.Begin; lane < r.End; ++lane)
   {
     const float h = heights[lane];
@@ -67,42 +86,48 @@ SKYLINE_INLINE void Raise(const Receivers& r, const Edge& first, const Edge& sec
   }
 }
 
-// The same, each where one of its cells has all four posts.
-SKYLINE_INLINE bool Complete(
+// The most that a cell's edges may say: nothing if one of its four posts is missing. A number rather
+// than a condition, because compilers do not vectorise loops with branches.
+SKYLINE_INLINE float Limit(
   const float* a, const float* b, const float* c, const float* d, std::ptrdiff_t lane)
 {
-  const float low = std::min(std::min(a[lane], b[lane]), std::min(c[lane], d[lane]));
-  return low > 0.5f * MissingHeight;
+  const float low = Smaller(Smaller(a[lane], b[lane]), Smaller(c[lane], d[lane]));
+  return low > 0.5f * MissingHeight ? -MissingHeight : MissingHeight;
 }
 
+// The same where the edges' cell is complete; of two cells, where one of them is.
 SKYLINE_INLINE void RaiseOneCell(const Receivers& r, const Posts& p, const Edge& entry,
   const Edge& middle, const Edge& row)
 {
+  const float* heights = r.Heights;
   float* best = r.Best;
+  SKYLINE_NO_ALIAS
   for (std::ptrdiff_t lane = r.Begin; lane < r.End; ++lane)
   {
-    const float h = r.Heights[lane];
-    const bool cell = Complete(p.NearTrail, p.NearLead, p.FarTrail, p.FarLead, lane);
+    const float h = heights[lane];
+    const float limit = Limit(p.NearTrail, p.NearLead, p.FarTrail, p.FarLead, lane);
     const float slope =
       Larger(entry.Slope(lane, h), Larger(middle.Slope(lane, h), row.Slope(lane, h)));
-    best[lane] = Larger(best[lane], cell ? slope : MissingHeight);
+    best[lane] = Larger(best[lane], Smaller(slope, limit));
   }
 }
 
 SKYLINE_INLINE void RaiseTwoCells(const Receivers& r, const Posts& p, const Edge& entry,
   const Edge& left, const Edge& middle, const Edge& right, const Edge& row)
 {
+  const float* heights = r.Heights;
   float* best = r.Best;
+  SKYLINE_NO_ALIAS
   for (std::ptrdiff_t lane = r.Begin; lane < r.End; ++lane)
   {
-    const float h = r.Heights[lane];
-    const bool first = Complete(p.NearTrail, p.NearLead, p.FarBehind, p.FarTrail, lane);
-    const bool second = Complete(p.NearLead, p.NearBeyond, p.FarTrail, p.FarLead, lane);
+    const float h = heights[lane];
+    const float first = Limit(p.NearTrail, p.NearLead, p.FarBehind, p.FarTrail, lane);
+    const float second = Limit(p.NearLead, p.NearBeyond, p.FarTrail, p.FarLead, lane);
     const float ofFirst = Larger(entry.Slope(lane, h), left.Slope(lane, h));
     const float ofSecond = Larger(right.Slope(lane, h), row.Slope(lane, h));
-    const float ofBoth = first || second ? middle.Slope(lane, h) : MissingHeight;
+    const float ofBoth = Smaller(middle.Slope(lane, h), Larger(first, second));
     best[lane] = Larger(Larger(best[lane], ofBoth),
-      Larger(first ? ofFirst : MissingHeight, second ? ofSecond : MissingHeight));
+      Larger(Smaller(ofFirst, first), Smaller(ofSecond, second)));
   }
 }
 

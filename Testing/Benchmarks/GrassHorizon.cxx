@@ -205,8 +205,9 @@ std::string NewRaster(const fs::path& cells)
 
 std::string GrassVersion()
 {
-  const std::string line = Answer("grass --version 2>/dev/null");
-  return line.empty() ? "not installed" : line.substr(line.find_last_of(' ') + 1);
+  const std::string line = Answer("grass --version 2>&1");
+  const std::string name = "GRASS GIS ";
+  return line.rfind(name, 0) == 0 ? line.substr(name.size()) : "not installed";
 }
 
 Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths)
@@ -244,7 +245,7 @@ Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths)
       const float value = found[static_cast<std::size_t>(post)];
       if (value != Null)
       {
-        errors.Add(value, std::max(0.0, truth.Elevation(index, i)));
+        errors.Add(value, truth.Elevation(index, i));
       }
     }
     for (const char* part : { "fcell", "cell", "cell_misc", "cellhd", "cats", "colr", "hist" })
@@ -261,7 +262,7 @@ Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths)
   result.SearchNs = NotMeasured;
   result.Error = errors.Get();
   std::snprintf(result.Reason, sizeof result.Reason,
-    "%d azimuths, start and files included; truth cut off below 0", azimuths);
+    "%d azimuths, start and files included", azimuths);
   result.Ran = true;
   return result;
 }

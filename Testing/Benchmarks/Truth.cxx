@@ -12,24 +12,39 @@ namespace skyline
 namespace benchmark
 {
 
+namespace
+{
+
+bool HasFourCells(const oracle::OracleField& field, std::ptrdiff_t column, std::ptrdiff_t row)
+{
+  return field.HasCell(column - 1, row - 1) && field.HasCell(column, row - 1) &&
+    field.HasCell(column - 1, row) && field.HasCell(column, row);
+}
+
+} // namespace
+
 Truth::Truth(const Scene& scene, std::ptrdiff_t posts, std::vector<double> azimuths,
   std::uint64_t seed)
   : Azimuths(std::move(azimuths))
 {
   const oracle::OracleField& field = scene.Field;
-  if (std::none_of(field.Heights.begin(), field.Heights.end(),
-        [](double height) { return std::isfinite(height); }))
+  std::vector<std::ptrdiff_t> inside;
+  for (std::ptrdiff_t post = 0; post < field.Columns * field.Rows; ++post)
   {
-    throw std::runtime_error("the scene " + scene.Name + " has no posts");
+    if (HasFourCells(field, post % field.Columns, post / field.Columns))
+    {
+      inside.push_back(post);
+    }
+  }
+  if (inside.empty())
+  {
+    throw std::runtime_error("the scene " + scene.Name + " has no post with four cells around it");
   }
   shapes::Random random(seed);
-  while (static_cast<std::ptrdiff_t>(this->Posts.size()) < posts)
+  for (std::ptrdiff_t k = 0; k < posts; ++k)
   {
-    const std::ptrdiff_t post = random.Below(field.Columns * field.Rows);
-    if (std::isfinite(field.Heights[static_cast<std::size_t>(post)]))
-    {
-      this->Posts.push_back(post);
-    }
+    const std::ptrdiff_t drawn = random.Below(static_cast<std::ptrdiff_t>(inside.size()));
+    this->Posts.push_back(inside[static_cast<std::size_t>(drawn)]);
   }
   this->Elevations.reserve(this->Azimuths.size() * this->Posts.size());
   for (const double azimuth : this->Azimuths)

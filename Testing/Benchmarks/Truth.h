@@ -19,7 +19,8 @@ namespace benchmark
 class Truth
 {
 public:
-  /// posts: how many, drawn with the seed from those that are not missing; azimuths in degrees.
+  /// posts: how many, drawn with the seed from those with a complete cell on all four sides: along the
+  /// very edge of the data it is a matter of convention what a ray meets. azimuths in degrees.
   Truth(const Scene& scene, std::ptrdiff_t posts, std::vector<double> azimuths, std::uint64_t seed);
 
   std::vector<double> Azimuths;     ///< degrees clockwise from grid north

@@ -28,13 +28,13 @@ constexpr double PostSnap = 1.0e-9;
 /// A height field as the oracle sees it.
 struct OracleField
 {
-  std::ptrdiff_t Columns = 0;          ///< posts from west to east
-  std::ptrdiff_t Rows = 0;             ///< posts from south to north
-  double SpacingX = 1.0;               ///< metres between columns
-  double SpacingY = 1.0;               ///< metres between rows
-  std::vector<double> Heights;         ///< metres, row by row from the south; not finite: missing
+  std::ptrdiff_t Columns = 0;           ///< posts from west to east
+  std::ptrdiff_t Rows = 0;              ///< posts from south to north
+  double SpacingX = 1.0;                ///< metres between columns
+  double SpacingY = 1.0;                ///< metres between rows
+  std::vector<double> Heights;          ///< metres, row by row from the south; not finite: missing
   Surface Through = Surface::Triangles; ///< the surface through the posts
-  double Sink = 0.0;                   ///< c in 1/m: the surface at distance d sinks by c d^2
+  double Sink = 0.0;                    ///< c in 1/m: the surface at distance d sinks by c d^2
 
   OracleField() = default;
   OracleField(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacingX, double spacingY)
@@ -137,8 +137,8 @@ bool LineHeight(double along, const Edge& edge, const Post& post, const Height& 
 /// greatest over all crossings of row, column and diagonal edges from the post to the edge of the
 /// data; for the bilinear surface also over the inside of the cells. NoTerrain if there is none, NaN
 /// if the post itself is missing. Touching a complete cell at one corner counts.
-inline double HorizonSlope(const OracleField& field, std::ptrdiff_t column, std::ptrdiff_t row,
-  const Direction& direction)
+inline double HorizonSlope(
+  const OracleField& field, std::ptrdiff_t column, std::ptrdiff_t row, const Direction& direction)
 {
   if (!field.HasPost(column, row))
   {
@@ -318,8 +318,8 @@ inline double ElevationDegrees(double slope)
 
 /// Gradient (dz/dx, dz/dy) at a post: central differences, one-sided at the edge and beside missing
 /// posts, 0 where neither neighbour exists.
-inline void Gradient(const OracleField& field, std::ptrdiff_t column, std::ptrdiff_t row,
-  double& east, double& north)
+inline void Gradient(
+  const OracleField& field, std::ptrdiff_t column, std::ptrdiff_t row, double& east, double& north)
 {
   const auto difference = [&](std::ptrdiff_t di, std::ptrdiff_t dj, double spacing)
   {
@@ -385,8 +385,8 @@ inline Sky SkyFromHorizons(
     const double limit = std::max(horizon, std::atan2(-across, up));
     const double mean = std::sin(0.5 * width) / (0.5 * width);
     sky.UniformAmbient += width / Pi *
-      integrate(limit, [&](double e)
-        { return (up * std::sin(e) + mean * across * std::cos(e)) * std::cos(e); });
+      integrate(limit,
+        [&](double e) { return (up * std::sin(e) + mean * across * std::cos(e)) * std::cos(e); });
   }
   return sky;
 }
@@ -415,8 +415,7 @@ struct HorizonCurve
     {
       if (a <= this->Azimuths[k + 1])
       {
-        const double f =
-          (a - this->Azimuths[k]) / (this->Azimuths[k + 1] - this->Azimuths[k]);
+        const double f = (a - this->Azimuths[k]) / (this->Azimuths[k + 1] - this->Azimuths[k]);
         return (1.0 - f) * this->Elevations[k] + f * this->Elevations[k + 1];
       }
     }

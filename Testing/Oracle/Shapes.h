@@ -59,8 +59,8 @@ OracleField FromFunction(std::ptrdiff_t columns, std::ptrdiff_t rows, double spa
 }
 
 /// z = eastSlope x + northSlope y, 0 at the middle post.
-inline OracleField Plane(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
-  double eastSlope, double northSlope)
+inline OracleField Plane(
+  std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double eastSlope, double northSlope)
 {
   return FromFunction(columns, rows, spacing, spacing, columns / 2, rows / 2,
     [=](double x, double y) { return eastSlope * x + northSlope * y; });
@@ -89,8 +89,8 @@ inline OracleField Wall(std::ptrdiff_t columns, std::ptrdiff_t rows, double spac
 
 /// A trench along the middle column: floor posts within 'halfWidth' posts of it at 0, the first posts
 /// beyond at 'height'. The upper edges are (halfWidth + 1) spacings from the middle.
-inline OracleField Trench(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double height,
-  std::ptrdiff_t halfWidth)
+inline OracleField Trench(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
+  double height, std::ptrdiff_t halfWidth)
 {
   return FromFunction(columns, rows, spacing, spacing, columns / 2, rows / 2,
     [=](double x, double)
@@ -115,17 +115,17 @@ inline OracleField ConicalPit(
 
 /// A spherical bowl about the middle post: the cap of half-angle 'halfAngle' (radians, at most
 /// pi / 2) of a sphere of the given radius, cut into level ground.
-inline OracleField Bowl(
-  std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double sphereRadius, double halfAngle)
+inline OracleField Bowl(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
+  double sphereRadius, double halfAngle)
 {
   const double rim = sphereRadius * std::sin(halfAngle);
   return FromFunction(columns, rows, spacing, spacing, columns / 2, rows / 2,
     [=](double x, double y)
     {
       const double d = std::hypot(x, y);
-      return d >= rim ? 0.0
-                      : sphereRadius * std::cos(halfAngle) -
-          std::sqrt(sphereRadius * sphereRadius - d * d);
+      return d >= rim
+        ? 0.0
+        : sphereRadius * std::cos(halfAngle) - std::sqrt(sphereRadius * sphereRadius - d * d);
     });
 }
 
@@ -139,16 +139,16 @@ inline OracleField Spike(std::ptrdiff_t columns, std::ptrdiff_t rows, double spa
 }
 
 /// Level ground, 'height' higher from row 'row' northward.
-inline OracleField Cliff(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double height,
-  std::ptrdiff_t row)
+inline OracleField Cliff(
+  std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double height, std::ptrdiff_t row)
 {
   return FromFunction(columns, rows, spacing, spacing, 0, row,
     [=](double, double y) { return y > -0.5 * spacing ? height : 0.0; });
 }
 
 /// Terraces: every 'tread' columns the ground rises by 'rise'.
-inline OracleField Steps(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double rise,
-  std::ptrdiff_t tread)
+inline OracleField Steps(
+  std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double rise, std::ptrdiff_t tread)
 {
   OracleField field(columns, rows, spacing, spacing);
   for (std::ptrdiff_t j = 0; j < rows; ++j)
@@ -182,8 +182,8 @@ inline OracleField Paraboloid(
 /// Fractal terrain by midpoint displacement (diamond-square; Fournier, Fussell, Carpenter 1982), cut
 /// from a square of 2^n + 1 posts; heights from 0 to 'relief'. Each halving of the step multiplies
 /// the displacement by 'roughness' (0.5 smooth, 0.7 jagged).
-inline OracleField Fractal(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double relief,
-  std::uint64_t seed = 1, double roughness = 0.55)
+inline OracleField Fractal(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
+  double relief, std::uint64_t seed = 1, double roughness = 0.55)
 {
   std::ptrdiff_t size = 2;
   while (size + 1 < std::max(columns, rows))

@@ -8,9 +8,10 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 CLASSES = [
-    "vtkHeightFieldReader", "vtkHeightFieldWriter", "vtkHeightFieldPictureWriter",
+    "vtkHeightFieldReader", "vtkHeightFieldSink", "vtkHeightFieldWriter",
+    "vtkHeightFieldPictureWriter",
     "vtkHeightFieldAlgorithm", "vtkHeightFieldHorizon", "vtkHeightFieldSkyView",
-    "vtkHeightFieldSunShadow", "vtkHeightFieldShading",
+    "vtkHeightFieldSunShadow", "vtkHeightFieldShading", "vtkHeightFieldSkyLight",
 ]
 
 
