@@ -45,7 +45,7 @@ inline Daylight ClearDaylight(double elevation, bool air = true)
     const double depth =
       0.0088 * std::pow(wavelength[c], -4.08) + 0.05 * std::pow(wavelength[c], -1.3);
     const double sun = !up ? 0.0 : air ? std::exp(-depth * AirMass(elevation)) : 0.8;
-    const double sky = (0.005 + 0.15 * std::sqrt(height)) * (air ? blue[c] : 1.0f);
+    const double sky = (0.005 + 0.13 * std::sqrt(height)) * (air ? blue[c] : 1.0f);
     light.SunIrradiance[c] = static_cast<float>(sun);
     light.SkyRadiance[c] = static_cast<float>(sky / 3.14159265358979);
     ground[c] = static_cast<float>(sun * height + sky);

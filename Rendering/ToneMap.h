@@ -15,8 +15,13 @@ using Rgb = std::array<float, 3>; ///< linear light, Rec. 709 primaries
 /// Linear level that no tone-mapped channel exceeds: 251 of 255 after encoding.
 constexpr float ToneWhite = 0.96f;
 
-/// Below this level the tone curve leaves light as it is; above it, a shoulder begins.
-constexpr float ToneKnee = 0.45f;
+/// Middle grey, which the tone curve leaves as it is, and the power by which luminances spread
+/// around it: the contrast of a print.
+constexpr float ToneGrey = 0.18f;
+constexpr float ToneContrast = 1.3f;
+
+/// Above this level of its result, the tone curve bends to a shoulder.
+constexpr float ToneKnee = 0.5f;
 
 /// Luminance of linear light, Rec. ITU-R BT.709-6, item 3.2.
 inline float Luminance(const Rgb& c)
@@ -24,22 +29,22 @@ inline float Luminance(const Rgb& c)
   return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2];
 }
 
-/// The tone curve: a luminance (0 and up) to a luminance in [0, ToneWhite). The identity up to
-/// ToneKnee, then a hyperbola with the same slope there that tends to ToneWhite. Never falls; NaN
-/// and negative light give 0, infinite light ToneWhite.
+/// The tone curve: a luminance (0 and up) to a luminance in [0, ToneWhite). A power law through
+/// ToneGrey up to ToneKnee, then a hyperbola that goes on with the same slope and tends to
+/// ToneWhite. Never falls; NaN and negative light give 0, infinite light ToneWhite.
 inline float ToneCurve(float luminance)
 {
   if (!(luminance > 0.0f))
   {
     return 0.0f;
   }
-  if (luminance <= ToneKnee)
+  const float spread = ToneGrey * std::pow(luminance / ToneGrey, ToneContrast);
+  if (spread <= ToneKnee)
   {
-    return luminance;
+    return spread;
   }
   constexpr float room = ToneWhite - ToneKnee;
-  const float over = (luminance - ToneKnee) / room;
-  return ToneWhite - room / (1.0f + over);
+  return ToneWhite - room / (1.0f + (spread - ToneKnee) / room);
 }
 
 /// Tone-maps a colour: its luminance by ToneCurve, its hue kept. A channel that would pass
@@ -49,8 +54,8 @@ inline Rgb ToneMap(const Rgb& light)
   Rgb c = light;
   for (float& channel : c)
   {
-    // Infinite light would make inf / inf below; 1e30 is as white.
-    channel = channel > 0.0f ? std::min(channel, 1.0e30f) : 0.0f;
+    // Infinite light would make inf / inf below; 1e25 is as white, and its power finite.
+    channel = channel > 0.0f ? std::min(channel, 1.0e25f) : 0.0f;
   }
   const float before = Luminance(c);
   if (!(before > 0.0f))

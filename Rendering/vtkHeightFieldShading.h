@@ -146,7 +146,7 @@ public:
   /**
    * Level in ToneMap's input that AutoExposure gives the 98th percentile of luminance.
    */
-  static constexpr double AutoLevel = 0.82;
+  static constexpr double AutoLevel = 0.68;
 
   vtkMTimeType GetMTime() override;
 

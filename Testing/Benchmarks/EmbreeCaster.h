@@ -1,26 +1,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The peer: horizons by casting rays at a triangle mesh with Intel Embree.
+// Horizons by casting rays at a triangle mesh with Intel Embree, one thread.
 #ifndef skyline_EmbreeCaster_h
 #define skyline_EmbreeCaster_h
 
-#include "Result.h"
-#include "Truth.h"
+#include "Oracle.h"
 
-#include <string>
+#if SKYLINE_EMBREE >= 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <array>
+#include <cstddef>
 
 namespace skyline
 {
 namespace benchmark
 {
 
-/// "3.13.5", or "not built in" where Embree was not found.
-std::string EmbreeVersion();
+/// The mesh has both triangles of every complete cell, with the diagonals of Surface::Triangles.
+class EmbreeCaster
+{
+public:
+  /// std::runtime_error if Embree fails. The field must outlive the caster.
+  explicit EmbreeCaster(const oracle::OracleField& field);
+  ~EmbreeCaster();
+  EmbreeCaster(const EmbreeCaster&) = delete;
+  EmbreeCaster& operator=(const EmbreeCaster&) = delete;
 
-/// Errors on the posts of the truth; times on runs of adjacent posts, whose rays share caches as those
-/// of a whole raster do, all azimuths of a post in turn. accuracy: degrees by which a horizon may be
-/// off. Search: occlusion rays only, a bracket grown from the horizon of the azimuth before, as HORAYZON
-/// (Steger, Steger and Schaer 2022) starts, and halved until it is two accuracies wide.
-Result MeasureEmbree(const Scene& scene, const Truth& truth, double accuracy, int repeats);
+  /// Degrees, -90 where no ray meets terrain. before: the horizon to start from, that of the
+  /// azimuth before; accuracy: degrees by which the result may be off, half of the last bracket.
+  double Horizon(
+    std::ptrdiff_t post, const oracle::Direction& direction, double before, double accuracy) const;
+
+private:
+  std::array<float, 3> Place(std::ptrdiff_t post) const;
+  void FillPosts(RTCGeometry geometry) const;
+  void FillTriangles(RTCGeometry geometry) const;
+  RTCRay RayFrom(std::ptrdiff_t post) const;
+  bool Occluded(RTCRay ray, const oracle::Direction& direction, double elevation) const;
+
+  const oracle::OracleField& Field;
+  double Base = 0.0; // metres, between the lowest and the highest post
+  RTCDevice Device;
+  RTCScene Mesh;
+};
 
 } // namespace benchmark
 } // namespace skyline

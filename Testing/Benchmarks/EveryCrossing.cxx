@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <vector>
 
-// One build of the plain loops for each kind of vector, chosen when the program starts, so that they
-// have the same registers to run in as the method they are compared with. The choice comes before
-// the address sanitizer is ready for it.
+// One build of the plain loops for each kind of vector, chosen when the program starts, so that
+// they have the same registers to run in as the method they are compared with. The choice comes
+// before the address sanitizer is ready for it.
 #if defined(__has_feature)
 #define SKYLINE_HAS_FEATURE(name) __has_feature(name)
 #else
 #define SKYLINE_HAS_FEATURE(name) 0
 #endif
-#if defined(__x86_64__) && __has_attribute(target_clones) && !defined(__SANITIZE_ADDRESS__) && \
+#if defined(__x86_64__) && __has_attribute(target_clones) && !defined(__SANITIZE_ADDRESS__) &&     \
   !SKYLINE_HAS_FEATURE(address_sanitizer)
-#define SKYLINE_EVERY_VECTOR \
+#define SKYLINE_EVERY_VECTOR                                                                       \
   __attribute__((target_clones("default", "arch=haswell", "arch=skylake-avx512")))
 #else
 #define SKYLINE_EVERY_VECTOR
@@ -86,8 +86,8 @@ SKYLINE_INLINE void Raise(const Receivers& r, const Edge& first, const Edge& sec
   }
 }
 
-// The most that a cell's edges may say: nothing if one of its four posts is missing. A number rather
-// than a condition, because compilers do not vectorise loops with branches.
+// The most that a cell's edges may say: nothing if one of its four posts is missing. A number
+// rather than a condition, because compilers do not vectorise loops with branches.
 SKYLINE_INLINE float Limit(
   const float* a, const float* b, const float* c, const float* d, std::ptrdiff_t lane)
 {
@@ -96,8 +96,8 @@ SKYLINE_INLINE float Limit(
 }
 
 // The same where the edges' cell is complete; of two cells, where one of them is.
-SKYLINE_INLINE void RaiseOneCell(const Receivers& r, const Posts& p, const Edge& entry,
-  const Edge& middle, const Edge& row)
+SKYLINE_INLINE void RaiseOneCell(
+  const Receivers& r, const Posts& p, const Edge& entry, const Edge& middle, const Edge& row)
 {
   const float* heights = r.Heights;
   float* best = r.Best;
@@ -126,8 +126,8 @@ SKYLINE_INLINE void RaiseTwoCells(const Receivers& r, const Posts& p, const Edge
     const float ofFirst = Larger(entry.Slope(lane, h), left.Slope(lane, h));
     const float ofSecond = Larger(right.Slope(lane, h), row.Slope(lane, h));
     const float ofBoth = Smaller(middle.Slope(lane, h), Larger(first, second));
-    best[lane] = Larger(Larger(best[lane], ofBoth),
-      Larger(Smaller(ofFirst, first), Smaller(ofSecond, second)));
+    best[lane] = Larger(
+      Larger(best[lane], ofBoth), Larger(Smaller(ofFirst, first), Smaller(ofSecond, second)));
   }
 }
 
@@ -155,12 +155,10 @@ SKYLINE_INLINE void CrossLine(const RayFrame& frame, std::ptrdiff_t line, const 
     const Edge middle{ fromLead ? p.NearLead : p.NearTrail, fromLead ? p.FarTrail : p.FarLead,
       step.MidNear, step.MidFar, step.MidSink };
     const bool sides = next && frame.Against;
-    const Edge left = sides
-      ? Edge{ p.NearLead, p.FarBehind, side.LeftNear, side.LeftFar, side.LeftSink }
-      : middle;
-    const Edge right = sides
-      ? Edge{ p.NearBeyond, p.FarTrail, side.RightNear, side.RightFar, side.RightSink }
-      : row;
+    const Edge left =
+      sides ? Edge{ p.NearLead, p.FarBehind, side.LeftNear, side.LeftFar, side.LeftSink } : middle;
+    const Edge right =
+      sides ? Edge{ p.NearBeyond, p.FarTrail, side.RightNear, side.RightFar, side.RightSink } : row;
     if (!holes)
     {
       Raise(r, row, middle);
@@ -183,7 +181,7 @@ SKYLINE_INLINE void CrossLine(const RayFrame& frame, std::ptrdiff_t line, const 
     }
     if (frame.Places[static_cast<std::size_t>(d)].Part == 0.0)
     {
-      // A ray through a post meets all the cells around it; posts of none are missing from the plane.
+      // A ray through a post meets the cells around it; posts of none are missing in the plane.
       const Edge post{ p.FarTrail, p.FarTrail, step.RowTrail, 0.0f, step.RowSink };
       Raise(r, post, post);
     }
@@ -223,8 +221,7 @@ void EveryCrossing::Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd, std::
   std::vector<float> buffer;
   for (std::ptrdiff_t line = lineBegin; line < lineEnd; ++line)
   {
-    const float* heights =
-      this->Field.Receivers(frame.Columns, frame.ImageLine(line), buffer);
+    const float* heights = this->Field.Receivers(frame.Columns, frame.ImageLine(line), buffer);
     float* best = slopes + (line - lineBegin) * stride - laneBegin;
     (this->Field.HasMissing() ? CrossHoles : CrossPlain)(
       frame, line, heights, best, laneBegin, laneEnd);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The horizon by plain loops over every crossed edge: what the exact method saves is measured from it.
+// The horizon by plain loops over every crossed edge, from which savings are counted.
 #ifndef skyline_EveryCrossing_h
 #define skyline_EveryCrossing_h
 
@@ -10,8 +10,8 @@ namespace skyline
 namespace benchmark
 {
 
-/// The oracle's work in float: every edge to the edge of the data, none skipped, one row of receivers
-/// abreast so that the compiler can vectorise. Triangles only.
+/// The oracle's work in float: every edge to the edge of the data, none skipped, one row of
+/// receivers abreast so that the compiler can vectorise. Triangles only.
 class EveryCrossing : public HorizonMethod
 {
 public:

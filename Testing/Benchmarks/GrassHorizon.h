@@ -17,8 +17,8 @@ namespace benchmark
 std::string GrassVersion();
 
 /// r.horizon over the whole raster in a few azimuths off the axes, its CPU time with reading and
-/// writing; in a temporary location of its own, removed afterwards. std::runtime_error("not installed")
-/// where it is not.
+/// writing; in a temporary location of its own, removed afterwards.
+/// std::runtime_error("not installed") where it is not.
 Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths);
 
 } // namespace benchmark

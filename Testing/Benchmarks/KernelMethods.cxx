@@ -16,7 +16,7 @@ namespace
 
 constexpr std::ptrdiff_t ChunkLines = 64; // what the filters hand to a thread
 
-// One azimuth, its slopes in a buffer that is used again for every chunk, as an accumulator gets them.
+// One azimuth, its slopes in a buffer that every chunk uses again, as an accumulator gets them.
 class Driver
 {
 public:
@@ -55,8 +55,8 @@ private:
 };
 
 // Elevations of the posts of the truth in one azimuth, in its order.
-std::vector<double> Sample(Driver& driver, const RayFrame& frame, const Grid& grid,
-  const std::vector<std::ptrdiff_t>& posts)
+std::vector<double> Sample(
+  Driver& driver, const RayFrame& frame, const Grid& grid, const std::vector<std::ptrdiff_t>& posts)
 {
   struct Wanted
   {
@@ -72,12 +72,14 @@ std::vector<double> Sample(Driver& driver, const RayFrame& frame, const Grid& gr
     wanted[static_cast<std::size_t>(line)].push_back({ i, frame.Columns ? row : column });
   }
   std::vector<double> elevations(posts.size());
-  driver.Search([&](std::ptrdiff_t line, const float* slopes) {
-    for (const Wanted& post : wanted[static_cast<std::size_t>(line)])
+  driver.Search(
+    [&](std::ptrdiff_t line, const float* slopes)
     {
-      elevations[post.Index] = testing::Elevation(slopes[post.Lane]);
-    }
-  });
+      for (const Wanted& post : wanted[static_cast<std::size_t>(line)])
+      {
+        elevations[post.Index] = testing::Elevation(slopes[post.Lane]);
+      }
+    });
   return elevations;
 }
 
@@ -93,8 +95,8 @@ std::vector<std::size_t> ThinnedAzimuths(std::size_t count, std::size_t thin)
   return indices;
 }
 
-Result MeasureKernel(const Scene& scene, const Truth& truth, const MakeMethod& make, int repeats,
-  std::size_t thin)
+Result MeasureKernel(
+  const Scene& scene, const Truth& truth, const MakeMethod& make, int repeats, std::size_t thin)
 {
   const Grid grid = testing::GridOf(scene.Field);
   const auto posts = static_cast<double>(grid.Columns * grid.Rows);

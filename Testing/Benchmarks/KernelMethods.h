@@ -17,8 +17,8 @@ namespace benchmark
 
 using MakeMethod = std::function<std::unique_ptr<HorizonMethod>(const HeightField&)>;
 
-/// Azimuths that a slow method is timed in: every `thin`-th, at another place in each stride so that
-/// the axes do not get more than their share. Indices; 1 gives all.
+/// Azimuths that a slow method is timed in: every `thin`-th, at another place in each stride so
+/// that the axes do not get more than their share. Indices; 1 gives all.
 std::vector<std::size_t> ThinnedAzimuths(std::size_t count, std::size_t thin);
 
 /// Errors, times and memory of one method; it runs in all azimuths of the truth or a part of them.

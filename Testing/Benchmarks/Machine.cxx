@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Machine.h"
 
-#include "EmbreeCaster.h"
+#include "EmbreeHorizon.h"
 #include "GrassHorizon.h"
 
 #include "hwy/targets.h"

@@ -92,10 +92,13 @@ std::vector<Row> Run(const Options& options)
     for (const Method* method : Chosen(options.MethodNames))
     {
       std::cerr << scene.Name << ": " << method->Label << std::endl;
-      rows.push_back({ scene.Name, method->Name, method->Label, InChild([&] {
-        Warm(*method);
-        return method->Measure(scene, truth, options.How);
-      }) });
+      rows.push_back({ scene.Name, method->Name, method->Label,
+        InChild(
+          [&]
+          {
+            Warm(*method);
+            return method->Measure(scene, truth, options.How);
+          }) });
     }
   }
   return rows;

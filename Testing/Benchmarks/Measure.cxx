@@ -95,7 +95,7 @@ void Laps::Report(Result& result, double count) const
 
 PeakMemory::PeakMemory()
 {
-  // Blocks freed before must not hide blocks taken later; the kernel forgets its old peak on request.
+  // Blocks freed before must not hide blocks taken later; Linux forgets its old peak on request.
   mallopt(M_MMAP_THRESHOLD, 64 * 1024);
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << "5";

@@ -16,7 +16,7 @@ namespace benchmark
 /// Seconds.
 struct Seconds
 {
-  double Cpu = 0.0;  ///< of the calling thread
+  double Cpu = 0.0; ///< of the calling thread
   double Wall = 0.0;
 };
 Seconds Now();

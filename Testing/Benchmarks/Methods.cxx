@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Methods.h"
 
-#include "EmbreeCaster.h"
+#include "EmbreeHorizon.h"
 #include "EveryCrossing.h"
 #include "FusedSkyView.h"
 #include "GrassHorizon.h"
@@ -27,8 +27,9 @@ Method OfSettings(const char* name, const char* label, HorizonMethodKind kind, d
   settings.Tolerance = tolerance * RadiansPerDegree;
   const MakeMethod make = [settings](const HeightField& field)
   { return MakeHorizonMethod(field, settings); };
-  return { name, label, [make](const Scene& scene, const Truth& truth, const Plan& plan)
-    { return MeasureKernel(scene, truth, make, plan.Repeats); } };
+  return { name, label, [make](const Scene& scene, const Truth& truth, const Plan& plan) {
+            return MeasureKernel(scene, truth, make, plan.Repeats);
+          } };
 }
 
 Result MeasureEveryCrossing(const Scene& scene, const Truth& truth, const Plan& plan)
@@ -40,8 +41,9 @@ Result MeasureEveryCrossing(const Scene& scene, const Truth& truth, const Plan& 
 
 Method OfEmbree(const char* name, const char* label, double accuracy)
 {
-  return { name, label, [accuracy](const Scene& scene, const Truth& truth, const Plan& plan)
-    { return MeasureEmbree(scene, truth, accuracy, plan.Repeats); } };
+  return { name, label, [accuracy](const Scene& scene, const Truth& truth, const Plan& plan) {
+            return MeasureEmbree(scene, truth, accuracy, plan.Repeats);
+          } };
 }
 
 } // namespace
@@ -56,9 +58,11 @@ const std::vector<Method>& Methods()
     { "every", "every crossing", MeasureEveryCrossing },
     OfEmbree("embree0.25", "Embree 0.25 deg", 0.25),
     OfEmbree("embree0.01", "Embree 0.01 deg", 0.01),
-    { "grass", "GRASS r.horizon", [](const Scene& scene, const Truth& truth, const Plan& plan)
+    { "grass", "GRASS r.horizon",
+      [](const Scene& scene, const Truth& truth, const Plan& plan)
       { return MeasureGrass(scene, truth, plan.GrassAzimuths); } },
-    { "skyview", "exact + sky view", [](const Scene& scene, const Truth& truth, const Plan& plan)
+    { "skyview", "exact + sky view",
+      [](const Scene& scene, const Truth& truth, const Plan& plan)
       { return MeasureFusedSkyView(scene, truth, plan.Repeats); } },
   };
   return methods;
@@ -67,18 +71,20 @@ const std::vector<Method>& Methods()
 std::string DescribeMethods()
 {
   std::ostringstream text;
-  text << "exact            every edge of " << ExactState::NearLines
-       << " near lines, then segments of " << SegmentBounds::Lines << " lines in groups of "
-       << SegmentBounds::PerGroup << " segments, skipped under their bounds\n"
-       << "exact, 0.05 deg  the same, may fall short by " << LooseTolerance << " degrees\n"
-       << "fast             the same, may fall short by " << FastTolerance * DegreesPerRadian
-       << " degrees\n"
-       << "sweep            Timonen & Westerholm 2010, resampled\n"
-       << "every crossing   plain float loops over all edges, vectorised by the compiler\n"
-       << "Embree           occlusion rays of one thread, the bracket grown from the azimuth before "
-          "and halved until it is twice the accuracy wide\n"
-       << "GRASS r.horizon  the whole raster, in few azimuths\n"
-       << "exact + sky view image to four sky quantities, as the filter runs it\n";
+  text
+    << "exact            every edge of " << ExactState::NearLines
+    << " near lines, then segments of " << SegmentBounds::Lines << " lines in groups of "
+    << SegmentBounds::PerGroup << " segments, skipped under their bounds\n"
+    << "exact, 0.05 deg  the same, may fall short by " << LooseTolerance << " degrees\n"
+    << "fast             the same, may fall short by " << FastTolerance * DegreesPerRadian
+    << " degrees\n"
+    << "sweep            Timonen & Westerholm 2010, resampled\n"
+    << "every crossing   plain float loops over all edges, vectorised by the compiler\n"
+    << "Embree           occlusion rays of one thread, the bracket grown from the azimuth before "
+       "and halved until it is\n                 twice the accuracy wide; behind missing posts a "
+       "ray may pass under the rim\n"
+    << "GRASS r.horizon  the whole raster, in few azimuths\n"
+    << "exact + sky view image to four sky quantities, as the filter runs it\n";
   return text.str();
 }
 

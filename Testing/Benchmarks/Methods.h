@@ -18,9 +18,9 @@ namespace benchmark
 /// How much of a benchmark to run.
 struct Plan
 {
-  int Repeats = 3;         ///< of the timed part
-  std::size_t Thin = 8;    ///< slow methods run in every Thin-th azimuth
-  int GrassAzimuths = 2;   ///< of r.horizon, the slowest
+  int Repeats = 3;       ///< of the timed part
+  std::size_t Thin = 8;  ///< slow methods run in every Thin-th azimuth
+  int GrassAzimuths = 2; ///< of r.horizon, the slowest
 };
 
 struct Method

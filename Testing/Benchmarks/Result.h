@@ -23,7 +23,7 @@ struct Errors
   double Samples = NotMeasured;       ///< posts x azimuths compared
 };
 
-/// Nanoseconds are for one post and azimuth on one core: the smallest and the median of the repeats.
+/// Nanoseconds are for one post and azimuth on one core, the smallest or median of the repeats.
 struct Result
 {
   bool Ran = false;

@@ -52,7 +52,8 @@ Scene Walls(std::ptrdiff_t size)
   const double part = static_cast<double>(size) / 1024.0;
   const auto count = std::max<std::ptrdiff_t>(1, std::lround(3000.0 * part * part));
   Scene scene{ "walls", "", shapes::RandomBoxes(size, size, 1.0, count, 40, 60.0, 1) };
-  scene.Description = Describe(scene.Field, std::to_string(count) + " random boxes up to 60 m high");
+  scene.Description =
+    Describe(scene.Field, std::to_string(count) + " random boxes up to 60 m high");
   return scene;
 }
 

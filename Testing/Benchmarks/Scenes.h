@@ -24,8 +24,8 @@ struct Scene
 /// Names of the scenes that need no file from the user.
 const std::vector<std::string>& SceneNames();
 
-/// A scene of SceneNames() with size x size posts (helens has its own size), or any raster that GDAL
-/// opens. std::runtime_error with a one-line reason.
+/// A scene of SceneNames() with size x size posts (helens has its own size), or any raster that
+/// GDAL opens. std::runtime_error with a one-line reason.
 Scene MakeScene(const std::string& nameOrFile, std::ptrdiff_t size);
 
 } // namespace benchmark

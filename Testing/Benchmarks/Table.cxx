@@ -33,9 +33,9 @@ const std::vector<Column>& Columns()
     { "prepare_ns", "prepare", "%.2f", [](const Result& r) { return r.PrepareNs; } },
     { "search_ns", "search", "%.2f", [](const Result& r) { return r.SearchNs; } },
     { "cpu_ns", "CPU", "%.2f", [](const Result& r) { return r.TotalNs; } },
-    { "cpu_median_ns", "median", "%.2f", [](const Result& r) { return r.TotalMedianNs; } },
+    { "cpu_median_ns", "CPU med", "%.2f", [](const Result& r) { return r.TotalMedianNs; } },
     { "wall_ns", "wall", "%.2f", [](const Result& r) { return r.WallNs; } },
-    { "wall_median_ns", "median", "%.2f", [](const Result& r) { return r.WallMedianNs; } },
+    { "wall_median_ns", "wall med", "%.2f", [](const Result& r) { return r.WallMedianNs; } },
     { "floats_per_post", "floats", "%.2f", [](const Result& r) { return r.FloatsPerPost; } },
     { "build_s", "build s", "%.2f", [](const Result& r) { return r.BuildSeconds; } },
     { "svf_rmse", "SVF rmse", "%.1e", [](const Result& r) { return r.SkyViewRmse; } },
@@ -80,10 +80,11 @@ const Row* FindRow(const std::vector<Row>& rows, const std::string& scene, const
 
 void PrintTable(std::ostream& out, const std::vector<Row>& rows)
 {
-  out << "error: degrees, found less oracle; ns: for one post and azimuth on one core, CPU time of the "
-         "thread, smallest (and median) of the repeats;\n"
-         "floats: peak memory a post beyond the input\n\n"
-      << Padded("scene", SceneWidth) << Padded("method", LabelWidth);
+  out
+    << "bias to max: degrees, found less oracle. prepare to wall med: ns for one post and azimuth\n"
+       "on one core, CPU time of the thread (prepare, search, their sum) and wall time, smallest\n"
+       "and median of the repeats. floats: peak memory a post beyond the input.\n\n"
+    << Padded("scene", SceneWidth) << Padded("method", LabelWidth);
   for (const Column& column : Columns())
   {
     if (column.Format)
@@ -145,8 +146,7 @@ void PrintRatios(std::ostream& out, const std::vector<Row>& rows)
     {
       const Row* slow = FindRow(rows, scene, ratio.Slow);
       const Row* quick = FindRow(rows, scene, ratio.Quick);
-      const double times =
-        slow && quick ? slow->Found.TotalNs / quick->Found.TotalNs : NotMeasured;
+      const double times = slow && quick ? slow->Found.TotalNs / quick->Found.TotalNs : NotMeasured;
       out << Padded(Number("%.2f", times), width);
     }
     out << "\n";

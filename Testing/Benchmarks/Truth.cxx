@@ -23,8 +23,8 @@ bool HasFourCells(const oracle::OracleField& field, std::ptrdiff_t column, std::
 
 } // namespace
 
-Truth::Truth(const Scene& scene, std::ptrdiff_t posts, std::vector<double> azimuths,
-  std::uint64_t seed)
+Truth::Truth(
+  const Scene& scene, std::ptrdiff_t posts, std::vector<double> azimuths, std::uint64_t seed)
   : Azimuths(std::move(azimuths))
 {
   const oracle::OracleField& field = scene.Field;

@@ -19,11 +19,11 @@ namespace benchmark
 class Truth
 {
 public:
-  /// posts: how many, drawn with the seed from those with a complete cell on all four sides: along the
-  /// very edge of the data it is a matter of convention what a ray meets. azimuths in degrees.
+  /// posts: how many, drawn with the seed from those with four complete cells around them: along
+  /// the very edge of the data it is a matter of convention what a ray meets. azimuths: degrees.
   Truth(const Scene& scene, std::ptrdiff_t posts, std::vector<double> azimuths, std::uint64_t seed);
 
-  std::vector<double> Azimuths;     ///< degrees clockwise from grid north
+  std::vector<double> Azimuths;      ///< degrees clockwise from grid north
   std::vector<std::ptrdiff_t> Posts; ///< row * columns + column
 
   /// Degrees of elevation, -90 where no terrain lies.

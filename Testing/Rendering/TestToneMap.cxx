@@ -14,21 +14,27 @@ namespace
 // A few roundings of a float near 1.
 constexpr float FloatTolerance = 1e-6f;
 
-TEST(ToneMap, CurveLeavesDarkLightAsItIs)
+TEST(ToneMap, CurveSpreadsLightAroundGrey)
 {
-  for (float x : { 0.0f, 1e-6f, 0.1f, 0.3f, skyline::ToneKnee })
-  {
-    EXPECT_EQ(skyline::ToneCurve(x), x);
-  }
+  EXPECT_EQ(skyline::ToneCurve(0.0f), 0.0f);
+  EXPECT_NEAR(skyline::ToneCurve(skyline::ToneGrey), skyline::ToneGrey, FloatTolerance);
+  // Half the light is 2^-1.3 = 0.406126 of the luminance.
+  EXPECT_NEAR(
+    skyline::ToneCurve(0.5f * skyline::ToneGrey), 0.406126f * skyline::ToneGrey, FloatTolerance);
 }
 
 TEST(ToneMap, CurveIsSmoothAtTheKnee)
 {
-  // The hyperbola's slope at the knee is 1: one step h beyond it differs from h by h^2 / room.
-  const float h = 1e-3f;
-  const float bend = h * h / (skyline::ToneWhite - skyline::ToneKnee);
-  EXPECT_NEAR(
-    skyline::ToneCurve(skyline::ToneKnee + h), skyline::ToneKnee + h - bend, FloatTolerance);
+  const double knee = skyline::ToneGrey *
+    std::pow(skyline::ToneKnee / skyline::ToneGrey, 1.0 / skyline::ToneContrast);
+  const double step = 1e-2;
+  const double at = skyline::ToneCurve(static_cast<float>(knee));
+  const double below = at - skyline::ToneCurve(static_cast<float>(knee - step));
+  const double above = skyline::ToneCurve(static_cast<float>(knee + step)) - at;
+  EXPECT_NEAR(at, skyline::ToneKnee, FloatTolerance);
+  // Slopes of 1.6 on both sides; a step bends them by up to 6 %.
+  EXPECT_NEAR(below, 1.3 * 0.5 / knee * step, 2e-4);
+  EXPECT_NEAR(above, below, 1e-3);
 }
 
 TEST(ToneMap, CurveNeverFallsAndNeverBurnsOut)

@@ -4,10 +4,8 @@ import os
 import resource
 import subprocess
 
-import numpy as np
-
 import Program
-from Program import ToolTest, UTM10, hills, make
+from Program import UTM10, ToolTest, hills, make, np
 
 # Commands that write a raster, by their options beside DEM and -o.
 WRITERS = {"horizon": ["--azimuths", "4"], "sky-view": ["--azimuths", "4"], "sun": [], "shade": []}

@@ -2,10 +2,8 @@
 """skyline horizon, and what all rasters that the program writes have in common."""
 import os
 
-import numpy as np
-
 import Program
-from Program import NODATA, ToolTest, UTM10, gdal, hills, make, osr, read
+from Program import NODATA, UTM10, ToolTest, gdal, hills, make, np, osr, read
 
 # Heights are floats relative to a base: 1e-4 m over a step of 30 m is 2e-4 degrees.
 ANGLE_TOLERANCE = 1e-3

@@ -2,10 +2,8 @@
 """skyline shade: pictures."""
 import os
 
-import numpy as np
-
 import Program
-from Program import ToolTest, UTM10, gdal, hills, make, read
+from Program import UTM10, ToolTest, gdal, hills, make, np, read
 
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 

@@ -2,10 +2,8 @@
 """skyline sky-view."""
 import os
 
-import numpy as np
-
 import Program
-from Program import ToolTest, UTM10, gdal, hills, make, read
+from Program import UTM10, ToolTest, gdal, hills, make, np, read
 
 QUANTITIES = ["SkyViewFactor", "SkyViewFactorHorizontal", "VisibleSkyFraction", "PositiveOpenness"]
 

@@ -2,10 +2,8 @@
 """skyline sun: the printed position, and the map of sun visibility."""
 import os
 
-import numpy as np
-
 import Program
-from Program import ToolTest, UTM10, gdal, hills, make, read
+from Program import UTM10, ToolTest, gdal, hills, make, np, read
 
 # The positions must agree with NREL's worked example to 0.0003 degrees.
 POSITION_TOLERANCE = 3e-4

@@ -89,8 +89,10 @@ class Usage(ToolTest):
             done = subprocess.run(
                 [Program.PROGRAM, "horizon", self.dem, "-o", self.path("out.tif"), *options],
                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=terminal, timeout=300)
-            os.write(terminal, b"end")  # so that there is something to read
-            text = os.read(master, 65536).decode()
+            os.write(terminal, b"end")  # tells where to stop reading
+            text = ""
+            while not text.endswith("end"):
+                text += os.read(master, 65536).decode()
             os.close(terminal)
             os.close(master)
             self.assertEqual((done.returncode, done.stdout), (0, b""))

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs a test on every instruction set that this processor has and the kernels were compiled for.
+#ifndef skyline_ProcessorTargets_h
+#define skyline_ProcessorTargets_h
+
+#include <gtest/gtest.h>
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+
+namespace skyline
+{
+namespace testing
+{
+
+/// Calls body() once per instruction set, a trace naming it; leaves the best one chosen.
+template <class Body>
+void ForEachProcessorTarget(const Body& body)
+{
+  const auto restore = []()
+  {
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  };
+  restore();
+  const auto all = static_cast<std::uint64_t>(hwy::SupportedTargets()) &
+    static_cast<std::uint64_t>(HWY_TARGETS);
+  for (std::uint64_t left = all; left != 0; left &= left - 1)
+  {
+    const auto target = static_cast<std::uint32_t>(left & (~left + 1));
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(target);
+    body();
+  }
+  restore();
+}
+
+} // namespace testing
+} // namespace skyline
+
+#endif

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StoreAccumulator.h"
+
+#include "Constants.h"
+#include "ProcessorTargets.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace skyline
+{
+namespace testing
+{
+namespace
+{
+
+/// Degrees: 1.3e-7 rad by the arc tangent's polynomial, and half a step of floats near 90.
+constexpr double ElevationBound = 1.1e-5;
+
+std::vector<float> Degrees(const std::vector<float>& slopes)
+{
+  std::vector<float> degrees(slopes.size());
+  StoreAccumulator store(static_cast<std::ptrdiff_t>(slopes.size()), degrees.data(), 1);
+  store.Begin(0.0, 1.0);
+  store.Add(0, 0, static_cast<std::ptrdiff_t>(slopes.size()), slopes.data());
+  store.Finish(0, 1);
+  return degrees;
+}
+
+TEST(StoreAccumulator, EndsAreExact)
+{
+  ForEachProcessorTarget(
+    []()
+    {
+      const float infinite = std::numeric_limits<float>::infinity();
+      const std::vector<float> slopes{ NoTerrainSlope, -infinite, -1.0f, 0.0f, 1.0f, infinite };
+      EXPECT_EQ(Degrees(slopes), (std::vector<float>{ -90.0f, -90.0f, -45.0f, 0.0f, 45.0f, 90.0f }));
+    });
+}
+
+TEST(StoreAccumulator, ArcTangentOfEveryMagnitude)
+{
+  ForEachProcessorTarget(
+    []()
+    {
+      std::vector<float> slopes;
+      for (std::uint64_t bits = 0; bits < 1ull << 32; bits += 40009)
+      {
+        const auto word = static_cast<std::uint32_t>(bits);
+        float slope = 0.0f;
+        std::memcpy(&slope, &word, sizeof(slope));
+        if (std::abs(slope) <= 1.0e18f)
+        {
+          slopes.push_back(slope);
+        }
+      }
+      const std::vector<float> degrees = Degrees(slopes);
+      double worst = 0.0;
+      for (std::size_t i = 0; i < slopes.size(); ++i)
+      {
+        const double truth = std::atan(static_cast<double>(slopes[i])) * DegreesPerRadian;
+        worst = std::max(worst, std::abs(degrees[i] - truth));
+        EXPECT_EQ(std::signbit(degrees[i]), std::signbit(slopes[i]));
+      }
+      EXPECT_LE(worst, ElevationBound);
+    });
+}
+
+TEST(StoreAccumulator, LayoutsHoldTheSame)
+{
+  const std::ptrdiff_t columns = 19, rows = 2, azimuths = 3;
+  std::vector<float> components(columns * rows * azimuths), bands(components.size());
+  StoreAccumulator sideBySide(columns, components.data(), azimuths);
+  StoreAccumulator apart(columns, bands.data(), 1, columns * rows);
+  for (std::ptrdiff_t k = 0; k < azimuths; ++k)
+  {
+    sideBySide.Begin(0.1 * static_cast<double>(k), 0.1);
+    apart.Begin(0.1 * static_cast<double>(k), 0.1);
+    for (std::ptrdiff_t row = 0; row < rows; ++row)
+    {
+      std::vector<float> slopes;
+      for (std::ptrdiff_t i = 0; i < columns; ++i)
+      {
+        slopes.push_back(static_cast<float>(i - 9) * 0.3f + static_cast<float>(k + 10 * row));
+      }
+      // In one run, and in three.
+      apart.Add(row, 0, columns, slopes.data());
+      sideBySide.Add(row, 0, 1, slopes.data());
+      sideBySide.Add(row, 1, 17, slopes.data() + 1);
+      sideBySide.Add(row, 18, 1, slopes.data() + 18);
+    }
+  }
+  for (std::ptrdiff_t post = 0; post < columns * rows; ++post)
+  {
+    for (std::ptrdiff_t k = 0; k < azimuths; ++k)
+    {
+      EXPECT_EQ(components[static_cast<std::size_t>(post * azimuths + k)],
+        bands[static_cast<std::size_t>(k * columns * rows + post)]);
+    }
+  }
+}
+
+} // namespace
+} // namespace testing
+} // namespace skyline
