@@ -363,7 +363,7 @@ int vtkHeightFieldShading::RequestData(
   const vtkIdType strips = (rows + RowsPerStrip - 1) / RowsPerStrip;
   const auto lightStrips = [&](vtkIdType first, vtkIdType last)
   {
-    for (vtkIdType strip = first; strip < last && !this->AbortExecute; ++strip)
+    for (vtkIdType strip = first; strip < last && !this->GetAbortExecute(); ++strip)
     {
       LightRows(terrain, lights, sun, ground, strip * RowsPerStrip,
         std::min(rows, (strip + 1) * RowsPerStrip), light);
@@ -378,7 +378,7 @@ int vtkHeightFieldShading::RequestData(
     vtkSMPTools::For(0, strips, 1, lightStrips);
   }
   this->UpdateProgress(0.6);
-  if (this->AbortExecute)
+  if (this->GetAbortExecute())
   {
     return 1;
   }
