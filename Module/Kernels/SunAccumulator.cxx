@@ -156,11 +156,11 @@ void SunAccumulator::AddSame(std::ptrdiff_t post, std::ptrdiff_t count, const fl
   }
   const double sine = std::sin(this->Sun.Elevation);
   const double cosine = std::cos(this->Sun.Elevation);
-  // Horizons below the lowest point of the disc, or above the highest, need no closer look; the
-  // margin covers the slope's rounding.
-  const double margin = 1e-6 * this->Sun.Radius;
-  const float lowest = SlopeOf(this->Sun.Elevation - this->Sun.Radius - margin);
-  const float highest = SlopeOf(this->Sun.Elevation + this->Sun.Radius + margin);
+  // Horizons below the lowest point of the disc, or above the highest, need no closer look; the next
+  // floats outward, since these are rounded.
+  const float infinite = std::numeric_limits<float>::infinity();
+  const float lowest = std::nextafter(SlopeOf(this->Sun.Elevation - this->Sun.Radius), -infinite);
+  const float highest = std::nextafter(SlopeOf(this->Sun.Elevation + this->Sun.Radius), infinite);
   const float light = this->SliceLight;
   const float* before = this->Previous.get() + post;
   for (std::ptrdiff_t begin = 0; begin < count; begin += Block)
@@ -268,8 +268,9 @@ void SunAccumulator::AddOne(
   const float first = this->Previous[static_cast<std::size_t>(post)];
   if (this->Sun.Radius == 0.0)
   {
-    const double place =
-      this->Interval > 0.0 ? std::clamp(-std::atan2(side0, ahead0) / this->Interval, 0.0, 1.0) : 1.0;
+    const double place = this->Interval > 0.0
+      ? std::clamp(-std::atan2(side0, ahead0) / this->Interval, 0.0, 1.0)
+      : 1.0;
     const double low = Above(first, sine, cosine), high = Above(last, sine, cosine);
     this->Result(post) = PointLit(low + place * (high - low));
     return;
@@ -300,9 +301,8 @@ void SunAccumulator::AddOne(
   const double from = std::atan2(side0, ahead0);
   slice.Set({ 0.0, std::atan2(sine, cosine), this->Sun.Radius }, from, from + this->Interval,
     this->LimbDarkening);
-  const double light = slice.Whole() > 0.0
-    ? slice.Hidden(Above(first, sine, cosine), Above(last, sine, cosine))
-    : 0.0;
+  const double light =
+    slice.Whole() > 0.0 ? slice.Hidden(Above(first, sine, cosine), Above(last, sine, cosine)) : 0.0;
   hidden += static_cast<float>(light / disc);
   lit += static_cast<float>((slice.Whole() - light) / disc);
 }
@@ -320,7 +320,8 @@ void SunAccumulator::Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd)
     const float lit = this->Hidden ? result : this->Whole - hidden;
     // 0 / 0, and so NaN, where no azimuth met the disc. Light hidden twice or not at all by rounding
     // stays within the disc.
-    result = hidden <= 0.0f && lit > 0.0f ? 1.0f : std::max(lit, 0.0f) / (std::max(lit, 0.0f) + hidden);
+    result =
+      hidden <= 0.0f && lit > 0.0f ? 1.0f : std::max(lit, 0.0f) / (std::max(lit, 0.0f) + hidden);
   }
 }
 

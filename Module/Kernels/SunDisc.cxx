@@ -67,7 +67,8 @@ double DiscSlice::Rise(double angle) const
   if (std::abs(angle) < SmallAngle)
   {
     const double q = angle * angle;
-    const double sine = angle * (1.0 - q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0 * (1.0 - q / 72.0))));
+    const double sine =
+      angle * (1.0 - q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0 * (1.0 - q / 72.0))));
     const double versine = 0.5 * q * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0)));
     return this->CosElevation * sine - this->SinElevation * versine;
   }
@@ -94,8 +95,8 @@ double DiscSlice::LightBelow(const DiscChord& chord, double angle) const
   const double cosine = std::cos(chord.Middle), sine = std::sin(chord.Middle);
   const double cosMiddle = this->CosElevation * cosine - this->SinElevation * sine;
   const double sinMiddle = this->SinElevation * cosine + this->CosElevation * sine;
-  const double bright = 0.5 * cosMiddle * (q * root + d * d * std::atan2(q, root)) +
-    sinMiddle * rest * root / 3.0;
+  const double bright =
+    0.5 * cosMiddle * (q * root + d * d * std::atan2(q, root)) + sinMiddle * rest * root / 3.0;
   return (1.0 - this->LimbDarkening) * even + this->LimbDarkening * bright / this->Radius;
 }
 
@@ -158,15 +159,15 @@ double DiscSlice::Hidden(double first, double last) const
     }
     else if (horizon > chord.Low)
     {
-      hidden += sample.Weight *
-        (this->LightBelow(chord, horizon) - this->LightBelow(chord, chord.Low));
+      hidden +=
+        sample.Weight * (this->LightBelow(chord, horizon) - this->LightBelow(chord, chord.Low));
     }
   }
   return hidden;
 }
 
-std::vector<double> SunAzimuths(double azimuthMin, double azimuthMax, double elevationMin,
-  double elevationMax, double radius)
+std::vector<double> SunAzimuths(
+  double azimuthMin, double azimuthMax, double elevationMin, double elevationMax, double radius)
 {
   const double low = std::abs(elevationMin), high = std::abs(elevationMax);
   const bool crossing = elevationMin < 0.0 && elevationMax > 0.0;

@@ -77,8 +77,8 @@ private:
 /// included. One sun: 9 nodes, or 25 around the circle if its disc holds the zenith or nadir, or its
 /// azimuth alone if the radius is 0. With many suns the nodes are no closer than a quarter of the
 /// mean sun's radius.
-std::vector<double> SunAzimuths(double azimuthMin, double azimuthMax, double elevationMin,
-  double elevationMax, double radius);
+std::vector<double> SunAzimuths(
+  double azimuthMin, double azimuthMax, double elevationMin, double elevationMax, double radius);
 
 } // namespace skyline
 

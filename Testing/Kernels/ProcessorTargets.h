@@ -24,11 +24,11 @@ void ForEachProcessorTarget(const Body& body)
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   };
   restore();
-  const auto all = static_cast<std::uint64_t>(hwy::SupportedTargets()) &
-    static_cast<std::uint64_t>(HWY_TARGETS);
+  const auto all =
+    static_cast<std::uint64_t>(hwy::SupportedTargets()) & static_cast<std::uint64_t>(HWY_TARGETS);
   for (std::uint64_t left = all; left != 0; left &= left - 1)
   {
-    const auto target = static_cast<std::uint32_t>(left & (~left + 1));
+    const auto target = static_cast<std::int64_t>(left & (~left + 1));
     SCOPED_TRACE(hwy::TargetName(target));
     hwy::SetSupportedTargetsForTest(target);
     hwy::GetChosenTarget().Update(target);

@@ -43,8 +43,8 @@ TEST(Normals, PlaneHasOneGradientUpToTheEdge)
 {
   // Heights are exact in binary, so the quotients are.
   const Grid grid{ 6, 5, 2.0, 0.5 };
-  const Pair gradients = All(grid, [](std::ptrdiff_t column, std::ptrdiff_t row)
-    { return 3 * column - 2 * row; });
+  const Pair gradients =
+    All(grid, [](std::ptrdiff_t column, std::ptrdiff_t row) { return 3 * column - 2 * row; });
   for (std::size_t post = 0; post < gradients.East.size(); ++post)
   {
     EXPECT_EQ(gradients.East[post], 1.5f);
@@ -80,8 +80,10 @@ TEST(Normals, AgreesWithTheOracleBesideMissingPosts)
 TEST(Normals, LonelyPostIsLevel)
 {
   const Grid grid{ 3, 3, 1.0, 1.0 };
-  const Pair gradients = All(grid, [](std::ptrdiff_t column, std::ptrdiff_t row)
-    { return column == 1 && row == 1 ? 5.0 : column == 0 ? Missing : -1.0 / 0.0; });
+  const Pair gradients = All(grid,
+    [](std::ptrdiff_t column, std::ptrdiff_t row) {
+      return column == 1 && row == 1 ? 5.0 : column == 0 ? Missing : -1.0 / 0.0;
+    });
   EXPECT_EQ(gradients.East[4], 0.0f);
   EXPECT_EQ(gradients.North[4], 0.0f);
   EXPECT_TRUE(std::isnan(gradients.East[5])); // infinite heights are missing too
@@ -91,7 +93,8 @@ TEST(Normals, MillimetresOnTenThousandKilometres)
 {
   // Steps of 2^-10 m, which 1e7 m in double hold exactly.
   const Grid grid{ 5, 4, 1.0, 1.0 };
-  const Pair gradients = All(grid, [](std::ptrdiff_t column, std::ptrdiff_t row)
+  const Pair gradients = All(grid,
+    [](std::ptrdiff_t column, std::ptrdiff_t row)
     { return 1.0e7 + static_cast<double>(column - 3 * row) / 1024.0; });
   for (std::size_t post = 0; post < gradients.East.size(); ++post)
   {

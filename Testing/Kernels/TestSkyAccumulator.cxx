@@ -69,9 +69,8 @@ TEST(SkyAccumulator, UniformAmbientIsEquationFive)
     first += std::sin(theta) * std::sin(theta);
     second += (theta - 0.5 * std::sin(2.0 * theta)) * toward;
   }
-  EXPECT_NEAR(
-    SumSky(slopes, east, north).UniformAmbient, nz / n * first + std::sin(Pi / n) / Pi * second,
-    SumBound);
+  EXPECT_NEAR(SumSky(slopes, east, north).UniformAmbient,
+    nz / n * first + std::sin(Pi / n) / Pi * second, SumBound);
 }
 
 TEST(SkyAccumulator, OpenLevelGroundIsExactlyOne)
@@ -139,8 +138,7 @@ TEST(SkyAccumulator, OutputsDoNotDependOnEachOther)
       &buffers.VisibleSkyFraction, &buffers.PositiveOpenness, &buffers.UniformAmbient };
     places[wanted]->Values = &value;
     const bool plane = wanted == 0 || wanted == 4;
-    SkyAccumulator sky(
-      1, buffers, plane ? &gradient[0] : nullptr, plane ? &gradient[1] : nullptr);
+    SkyAccumulator sky(1, buffers, plane ? &gradient[0] : nullptr, plane ? &gradient[1] : nullptr);
     for (std::size_t k = 0; k < slopes.size(); ++k)
     {
       const auto slope = static_cast<float>(slopes[k]);
@@ -183,7 +181,8 @@ std::vector<float> FieldSky(std::ptrdiff_t run, std::ptrdiff_t stride)
         std::vector<float> slopes;
         for (std::ptrdiff_t i = column; i < std::min(columns, column + run); ++i)
         {
-          slopes.push_back(static_cast<float>(std::sin(0.1 * static_cast<double>(i * (k + 1) + row))));
+          slopes.push_back(
+            static_cast<float>(std::sin(0.1 * static_cast<double>(i * (k + 1) + row))));
         }
         sky.Add(row, column, static_cast<std::ptrdiff_t>(slopes.size()), slopes.data());
       }

@@ -38,7 +38,8 @@ TEST(StoreAccumulator, EndsAreExact)
     {
       const float infinite = std::numeric_limits<float>::infinity();
       const std::vector<float> slopes{ NoTerrainSlope, -infinite, -1.0f, 0.0f, 1.0f, infinite };
-      EXPECT_EQ(Degrees(slopes), (std::vector<float>{ -90.0f, -90.0f, -45.0f, 0.0f, 45.0f, 90.0f }));
+      EXPECT_EQ(
+        Degrees(slopes), (std::vector<float>{ -90.0f, -90.0f, -45.0f, 0.0f, 45.0f, 90.0f }));
     });
 }
 

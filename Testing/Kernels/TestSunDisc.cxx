@@ -81,7 +81,8 @@ TEST(SunDisc, SlicesMakeUpTheDisc)
         for (int k = 0; k < slices; ++k)
         {
           DiscSlice slice;
-          slice.Set(disc, swath * (2.0 * k / slices - 1.0), swath * (2.0 * (k + 1) / slices - 1.0), u);
+          slice.Set(
+            disc, swath * (2.0 * k / slices - 1.0), swath * (2.0 * (k + 1) / slices - 1.0), u);
           light += slice.Whole();
         }
         // Solid angle, and the mean of 1 - u (1 - mu) over a disc: 1 - u / 3.

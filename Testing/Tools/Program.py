@@ -4,6 +4,7 @@
 Each test file is run as `python3 TestX.py PROGRAM DATA`: the built program and Testing/Data.
 """
 import os
+import resource
 import shutil
 import subprocess
 import sys
@@ -79,8 +80,19 @@ def hills(rows, columns, seed=1, relief=300.0):
     return heights + 1000.0
 
 
+def limit_memory(size):
+    """A function for preexec_fn: the program gets `size` bytes of address space."""
+    return lambda: resource.setrlimit(resource.RLIMIT_AS, (size, size))
+
+
 class ToolTest(unittest.TestCase):
     """Runs the program in a folder of its own."""
+
+    def skip_if_sanitized(self):
+        """AddressSanitizer needs terabytes of address space, whatever the program does."""
+        with open(PROGRAM, "rb") as program:
+            if b"__asan_init" in program.read():
+                self.skipTest("the address space of a sanitized program cannot be limited")
 
     def setUp(self):
         self.folder = tempfile.mkdtemp(prefix="skyline-tools-")

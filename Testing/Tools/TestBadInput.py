@@ -214,14 +214,11 @@ class BadInput(ToolTest):
         self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
 
     def test_not_enough_memory(self):
+        self.skip_if_sanitized()
         dem = make(self.path("large.tif"), hills(1000, 1000))
-
-        def little_memory():
-            resource.setrlimit(resource.RLIMIT_AS, (3 << 30, 3 << 30))
-
         # 3600 azimuths of a million posts: 14 gigabytes.
         self.refused(1, "horizon", dem, "-o", self.path("out.tif"), "--azimuths", "3600",
-                     preexec_fn=little_memory)
+                     preexec_fn=Program.limit_memory(3 << 30))
 
     def test_errors_show_even_when_quiet(self):
         self.refused(1, "horizon", self.path("nowhere.tif"), "-o", self.path("out.tif"), "--quiet")
