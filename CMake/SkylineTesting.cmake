@@ -29,6 +29,7 @@ function (skyline_add_gtest name)
   endif ()
   gtest_discover_tests(${name}
     TEST_PREFIX "${room}."
+    NO_PRETTY_VALUES # the names that the test gives its parameters, not their bytes
     DISCOVERY_MODE PRE_TEST
     DISCOVERY_TIMEOUT 120
     WORKING_DIRECTORY "${output}"

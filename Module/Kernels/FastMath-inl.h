@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Angles from slopes on vectors of floats. Highway's manner: included once per processor target, and
-// the guard toggles with it.
+// Angles from slopes on vectors of floats. Highway's manner: included once per processor target,
+// and the guard toggles with it.
 #if defined(skyline_FastMath_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef skyline_FastMath_inl_h
 #undef skyline_FastMath_inl_h
@@ -61,8 +61,7 @@ HWY_INLINE V AtanIn(D d, V t, float unit, float quarter)
   // Beyond 1, atan t = quarter turn - atan(1 / t).
   const V z = hn::Div(hn::Min(size, one), hn::Max(size, one));
   const V low = hn::Mul(AtanUnit(d, z), hn::Set(d, unit));
-  return hn::CopySign(
-    hn::IfThenElse(hn::Gt(size, one), hn::Sub(hn::Set(d, quarter), low), low), t);
+  return hn::CopySign(hn::IfThenElse(hn::Gt(size, one), hn::Sub(hn::Set(d, quarter), low), low), t);
 }
 
 /// atan t in radians; greatest error 1.4e-7.
@@ -83,11 +82,11 @@ HWY_INLINE V AtanDegrees(D d, V t)
 template <class V>
 struct SlopeTerms
 {
-  V Cos;        ///< cos h
-  V CosSquare;  ///< cos^2 h
-  V SinSquare;  ///< sin^2 h
-  V Arc;        ///< |h| where |h| < 45 degrees, else 90 degrees - |h|; radians
-  V Size;       ///< |sin h|
+  V Cos;       ///< cos h
+  V CosSquare; ///< cos^2 h
+  V SinSquare; ///< sin^2 h
+  V Arc;       ///< |h| where |h| < 45 degrees, else 90 degrees - |h|; radians
+  V Size;      ///< |sin h|
 };
 
 /// The terms of a slope up to 1e18 in size (its square is a finite float).
@@ -101,8 +100,7 @@ HWY_INLINE SlopeTerms<V> TermsOfSlope(D d, V t)
   terms.Cos = hn::Sqrt(terms.CosSquare);
   terms.SinSquare = hn::Mul(square, terms.CosSquare);
   terms.Size = hn::Mul(hn::Abs(t), terms.Cos);
-  terms.Arc = AsinLow(
-    d, hn::Min(terms.Size, terms.Cos), hn::Min(terms.SinSquare, terms.CosSquare));
+  terms.Arc = AsinLow(d, hn::Min(terms.Size, terms.Cos), hn::Min(terms.SinSquare, terms.CosSquare));
   return terms;
 }
 

@@ -41,13 +41,13 @@ inline float AxisGradient(double before, double here, double after, double spaci
 }
 
 /// Gradients of the posts of rows [rowBegin, rowEnd): dz/dx to east[row * columns + column], dz/dy
-/// likewise to north. The upward normal is (-dz/dx, -dz/dy, 1), not normalised. Central differences,
-/// one-sided at the edge and beside missing posts, 0 where neither neighbour exists, NaN at a missing
-/// post (NaN or infinite).
+/// likewise to north. The upward normal is (-dz/dx, -dz/dy, 1), not normalised. Central
+/// differences, one-sided at the edge and beside missing posts, 0 where neither neighbour exists,
+/// NaN at a missing post (NaN or infinite).
 ///
-/// height(column, row): metres, of any arithmetic type; rows of posts beside the range are read too.
-/// spacingX, spacingY: metres between columns and between rows, one of each a row from the south; null:
-/// the grid's. Disjoint ranges may be filled by different threads.
+/// height(column, row): metres, of any arithmetic type; rows of posts beside the range are read
+/// too. spacingX, spacingY: metres between columns and between rows, one of each a row from the
+/// south; null: the grid's. Disjoint ranges may be filled by different threads.
 template <class HeightAt>
 void Gradients(const Grid& grid, const HeightAt& height, std::ptrdiff_t rowBegin,
   std::ptrdiff_t rowEnd, float* east, float* north, const double* spacingX = nullptr,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // In an azimuth with horizon h the plane of slope g (its rise per metre in the azimuth) has the
-// normal nz (-g, 1) there, so a direction of elevation e is lit by nz (sin e - g cos e) and is above
-// the plane if tan e > g. With t = tan max(h, ...), the lower end of the light, over a swath w:
+// normal nz (-g, 1) there, so a direction of elevation e is lit by nz (sin e - g cos e) and is
+// above the plane if tan e > g. With t = tan max(h, ...), the lower end of the light, over a swath
+// w:
 //
 //   SkyViewFactor  1/pi w nz Int_h^90 (sin e - g cos e) cos e de
 //                = w / 2 pi nz [1 - sin^2 h - g (acot t - t cos^2 h)],   t = max(tan h, g, 0)
@@ -65,9 +66,9 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One quantity's sums of a vector of posts. Read, Set and Write are apart so that every sum is read
-/// before any is written: the buffers often lie a multiple of 4096 bytes apart, and a load waits for
-/// an earlier store to the same place of another page.
+/// One quantity's sums of a vector of posts. Reading and Write are apart so that every sum is
+/// read before any is written: the buffers often lie a multiple of 4096 bytes apart, and a load
+/// waits for an earlier store to the same place of another page.
 struct VectorOfSums
 {
   using Tag = hn::CappedTag<float, 16>;
@@ -135,8 +136,7 @@ HWY_NOINLINE void AddVectors(const SkyAzimuth& azimuth, const SkyRun& run, std::
         const V above = hn::Max(end, zero);
         const SlopeTerms<V> terms = TermsOfSlope(d, above);
         const V along = hn::NegMulAdd(above, terms.CosSquare, ZenithAngle(d, terms));
-        tilted.Value =
-          hn::MulAdd(weight, hn::MulAdd(rise, along, terms.SinSquare), tilted.Value);
+        tilted.Value = hn::MulAdd(weight, hn::MulAdd(rise, along, terms.SinSquare), tilted.Value);
       }
       if (OnAmbient)
       {
@@ -144,10 +144,10 @@ HWY_NOINLINE void AddVectors(const SkyAzimuth& azimuth, const SkyRun& run, std::
         // acot of a slope below 0 is beyond a right angle.
         const V zenith = ZenithAngle(d, terms);
         const V beyond = hn::Sub(hn::Set(d, static_cast<float>(Pi)), zenith);
-        const V along = hn::NegMulAdd(
-          end, terms.CosSquare, hn::IfThenElse(hn::Lt(end, zero), beyond, zenith));
-        ambient.Value = hn::MulAdd(weight, terms.SinSquare,
-          hn::MulAdd(hn::Mul(ambientWeight, rise), along, ambient.Value));
+        const V along =
+          hn::NegMulAdd(end, terms.CosSquare, hn::IfThenElse(hn::Lt(end, zero), beyond, zenith));
+        ambient.Value = hn::MulAdd(
+          weight, terms.SinSquare, hn::MulAdd(hn::Mul(ambientWeight, rise), along, ambient.Value));
       }
     }
     horizontal.Write();
@@ -243,9 +243,8 @@ SkyAccumulator::SkyAccumulator(
   , East(east)
   , North(north)
 {
-  for (const PostBuffer* buffer :
-    { &buffers.SkyViewFactor, &buffers.SkyViewFactorHorizontal, &buffers.VisibleSkyFraction,
-      &buffers.PositiveOpenness, &buffers.UniformAmbient })
+  for (const PostBuffer* buffer : { &buffers.SkyViewFactor, &buffers.SkyViewFactorHorizontal,
+         &buffers.VisibleSkyFraction, &buffers.PositiveOpenness, &buffers.UniformAmbient })
   {
     this->Strided = this->Strided || (buffer->Values && buffer->Stride != 1);
   }
@@ -283,7 +282,8 @@ void SkyAccumulator::Add(
   HWY_DYNAMIC_DISPATCH(AddRun)(this->Azimuth(), run, count);
 }
 
-/// Sums that do not lie side by side are copied together and back, in pieces that stay in the cache.
+/// Sums that do not lie side by side are copied together and back, in pieces that stay in the
+/// cache.
 void SkyAccumulator::AddStrided(std::ptrdiff_t post, std::ptrdiff_t count, const float* slopes)
 {
   const PostBuffer* buffers[SkyQuantities] = { &this->Buffers.SkyViewFactor,
@@ -338,8 +338,7 @@ void SkyAccumulator::Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd)
     }
   };
   // Rounding may leave a sum a bit outside of what it can be. NaN passes both comparisons.
-  const auto share = [](float value)
-  { return value < 0.0f ? 0.0f : value > 1.0f ? 1.0f : value; };
+  const auto share = [](float value) { return value < 0.0f ? 0.0f : value > 1.0f ? 1.0f : value; };
   const auto plane = [&](std::ptrdiff_t post, float lost)
   {
     const double east = this->East[post];
@@ -353,7 +352,8 @@ void SkyAccumulator::Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd)
     [&](std::ptrdiff_t, float lost) { return share(total - lost); });
   each(this->Buffers.VisibleSkyFraction,
     [&](std::ptrdiff_t, float lost) { return share(total - lost); });
-  each(this->Buffers.PositiveOpenness, [&](std::ptrdiff_t, float sum)
+  each(this->Buffers.PositiveOpenness,
+    [&](std::ptrdiff_t, float sum)
     { return static_cast<float>(90.0 * this->Total - DegreesPerRadian * sum); });
 }
 

@@ -18,7 +18,7 @@ struct SkyAzimuth;
 /// horizon stands for the whole swath of its azimuth.
 struct SkyBuffers
 {
-  PostBuffer SkyViewFactor;           ///< irradiance / pi of a sky of radiance 1 on the tilted surface
+  PostBuffer SkyViewFactor; ///< irradiance / pi of a sky of radiance 1 on the tilted surface
   PostBuffer SkyViewFactorHorizontal; ///< the same on a level surface: 1 - mean(sin^2 h)
   PostBuffer VisibleSkyFraction;      ///< solid angle of sky / 2 pi: 1 - mean(sin h)
   PostBuffer PositiveOpenness;        ///< degrees: mean(90 - horizon), horizons below 0 as they are
@@ -34,12 +34,12 @@ public:
   /// east, north: dz/dx and dz/dy of every post, row by row from the south (Normals.h); they must
   /// outlive the accumulator and are read only if SkyViewFactor or UniformAmbient is wanted, else
   /// null will do. NaN there gives NaN in these two.
-  SkyAccumulator(std::ptrdiff_t columns, const SkyBuffers& buffers, const float* east,
-    const float* north);
+  SkyAccumulator(
+    std::ptrdiff_t columns, const SkyBuffers& buffers, const float* east, const float* north);
 
   void Begin(double azimuth, double width) override;
-  void Add(std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count,
-    const float* slopes) override;
+  void Add(
+    std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count, const float* slopes) override;
   void Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd) override;
 
 private:
@@ -50,8 +50,8 @@ private:
   SkyBuffers Buffers;
   const float* East;
   const float* North;
-  bool Strided = false;       ///< some buffer's posts do not lie side by side
-  bool First = true;          ///< the azimuth is the first: sums start, whatever the buffers held
+  bool Strided = false; ///< some buffer's posts do not lie side by side
+  bool First = true;    ///< the azimuth is the first: sums start, whatever the buffers held
   float SinAzimuth = 0.0f, CosAzimuth = 1.0f;
   float AmbientWeight = 0.0f; ///< of the azimuth's cosines in UniformAmbient
   double Weight = 0.0;        ///< of the azimuth, in a circle

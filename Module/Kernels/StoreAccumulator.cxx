@@ -54,8 +54,8 @@ namespace skyline
 
 HWY_EXPORT(ToDegrees);
 
-StoreAccumulator::StoreAccumulator(std::ptrdiff_t columns, float* values,
-  std::ptrdiff_t postStride, std::ptrdiff_t azimuthStride)
+StoreAccumulator::StoreAccumulator(
+  std::ptrdiff_t columns, float* values, std::ptrdiff_t postStride, std::ptrdiff_t azimuthStride)
   : Columns(columns)
   , Values(values)
   , PostStride(postStride)

@@ -22,8 +22,8 @@ public:
     std::ptrdiff_t azimuthStride = 1);
 
   void Begin(double azimuth, double width) override;
-  void Add(std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count,
-    const float* slopes) override;
+  void Add(
+    std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count, const float* slopes) override;
   void Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd) override;
 
 private:

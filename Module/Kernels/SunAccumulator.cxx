@@ -25,8 +25,8 @@ float SunSlope(float slope)
   return slope > 0.0f ? slope : 0.0f;
 }
 
-/// The elevation of a slope above a direction with elevation (sine, cosine): radians; the difference
-/// is taken before the arc tangent, so that it keeps its digits.
+/// The elevation of a slope above a direction with elevation (sine, cosine): radians; the
+/// difference is taken before the arc tangent, so that it keeps its digits.
 double Above(float slope, double sine, double cosine)
 {
   const double t = slope;
@@ -156,8 +156,8 @@ void SunAccumulator::AddSame(std::ptrdiff_t post, std::ptrdiff_t count, const fl
   }
   const double sine = std::sin(this->Sun.Elevation);
   const double cosine = std::cos(this->Sun.Elevation);
-  // Horizons below the lowest point of the disc, or above the highest, need no closer look; the next
-  // floats outward, since these are rounded.
+  // Horizons below the lowest point of the disc, or above the highest, need no closer look; the
+  // next floats outward, since these are rounded.
   const float infinite = std::numeric_limits<float>::infinity();
   const float lowest = std::nextafter(SlopeOf(this->Sun.Elevation - this->Sun.Radius), -infinite);
   const float highest = std::nextafter(SlopeOf(this->Sun.Elevation + this->Sun.Radius), infinite);
@@ -318,8 +318,8 @@ void SunAccumulator::Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd)
     float& result = this->Result(post);
     const float hidden = this->Hidden ? this->Hidden[static_cast<std::size_t>(post)] : result;
     const float lit = this->Hidden ? result : this->Whole - hidden;
-    // 0 / 0, and so NaN, where no azimuth met the disc. Light hidden twice or not at all by rounding
-    // stays within the disc.
+    // 0 / 0, and so NaN, where no azimuth met the disc. Light hidden twice or not at all by
+    // rounding stays within the disc.
     result =
       hidden <= 0.0f && lit > 0.0f ? 1.0f : std::max(lit, 0.0f) / (std::max(lit, 0.0f) + hidden);
   }

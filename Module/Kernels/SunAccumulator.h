@@ -19,17 +19,18 @@ namespace skyline
 using SunDirections = std::function<void(
   std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count, float* x, float* y, float* z)>;
 
-/// The lit fraction of a disc over the horizon curve, linear in elevation between the azimuths: 0 to
-/// 1, exactly 0 or 1 where all or nothing is covered. Feed it rising azimuths, those of SunAzimuths
-/// or closer ones (never more than a right angle apart), over every swath; the disc's part outside of
-/// them is left out, and a post whose disc lies outside of all gets NaN. Widths are ignored.
+/// The lit fraction of a disc over the horizon curve, linear in elevation between the azimuths: 0
+/// to 1, exactly 0 or 1 where all or nothing is covered. Feed it rising azimuths, those of
+/// SunAzimuths or closer ones (never more than a right angle apart), over every swath; the disc's
+/// part outside of them is left out, and a post whose disc lies outside of all gets NaN. Widths are
+/// ignored.
 ///
-/// Sunlight, as that of the sky, comes from above the horizontal plane alone: a horizon below 0 counts
-/// as 0. What lies beyond the data is unknown, and without it a midnight sun would light every post
-/// that looks down to the edge.
+/// Sunlight, as that of the sky, comes from above the horizontal plane alone: a horizon below 0
+/// counts as 0. What lies beyond the data is unknown, and without it a midnight sun would light
+/// every post that looks down to the edge.
 ///
-/// With radius 0 the sun is a point: lit or not at its own azimuth, or at the azimuth given first if
-/// its own is outside of all.
+/// With radius 0 the sun is a point: lit or not at its own azimuth, or at the azimuth given first
+/// if its own is outside of all.
 ///
 /// Memory: one float a post beside the result, two if the sun differs from post to post.
 class SunAccumulator : public Accumulator

@@ -24,8 +24,8 @@ constexpr int IntervalsPerSwath = 8;
 /// Intervals of the circle when the zenith or the nadir lies in the disc: 15 degrees each.
 constexpr int IntervalsPerCircle = 24;
 
-/// Chords are integrated by three-point Gauss rules, each over at most this part of the disc (in the
-/// angle t of  azimuth = half swath * sin t, which makes the round ends of the disc smooth).
+/// Chords are integrated by three-point Gauss rules, each over at most this part of the disc (in
+/// the angle t of  azimuth = half swath * sin t, which makes the round ends of the disc smooth).
 constexpr double LargestPiece = Pi / 8.0;
 
 /// Below this angle (radians) five terms of the sine and cosine series leave 1e-17.
@@ -76,9 +76,9 @@ double DiscSlice::Rise(double angle) const
   return this->CosElevation * std::sin(angle) - this->SinElevation * 2.0 * half * half;
 }
 
-/// Light per azimuth of the chord below an angle, up to a constant of the chord. With q counted from
-/// the chord's middle m and half length d, mu = sqrt(d^2 - q^2) / r, and cos e = cos m - q sin m but
-/// for q^2 / 2:
+/// Light per azimuth of the chord below an angle, up to a constant of the chord. With q counted
+/// from the chord's middle m and half length d, mu = sqrt(d^2 - q^2) / r, and cos e = cos m - q sin
+/// m but for q^2 / 2:
 ///   Int mu cos e dq = { cos m [q sqrt(d^2 - q^2) + d^2 asin(q / d)] / 2
 ///                       + sin m (d^2 - q^2)^(3/2) / 3 } / r
 double DiscSlice::LightBelow(const DiscChord& chord, double angle) const

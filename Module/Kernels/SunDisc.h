@@ -8,8 +8,8 @@
 namespace skyline
 {
 
-/// Limb darkening of a grey atmosphere in Eddington's approximation: the intensity at the angle with
-/// cosine mu on the sun's surface is (2 + 3 mu) / 5 = 1 - u (1 - mu) of the centre's, u = 3/5.
+/// Limb darkening of a grey atmosphere in Eddington's approximation: the intensity at the angle
+/// with cosine mu on the sun's surface is (2 + 3 mu) / 5 = 1 - u (1 - mu) of the centre's, u = 3/5.
 constexpr double EddingtonLimbDarkening = 0.6;
 
 /// A sun; radians.
@@ -20,8 +20,8 @@ struct SunDisc
   double Radius = 0.0;    ///< angular, 0 up to pi/2
 };
 
-/// Half the width of the azimuths that a disc covers: asin(sin radius / cos elevation), or pi if the
-/// zenith or the nadir lies inside it. Radians.
+/// Half the width of the azimuths that a disc covers: asin(sin radius / cos elevation), or pi if
+/// the zenith or the nadir lies inside it. Radians.
 double HalfSwath(double elevation, double radius);
 
 /// What a disc covers of the half circle from nadir to zenith in one azimuth. Elevations here are
@@ -41,16 +41,17 @@ DiscChord ChordOfDisc(const SunDisc& disc, double azimuthFromCentre);
 class DiscSlice
 {
 public:
-  /// The azimuths [from, to], radians from the centre's azimuth, at most half a turn; the parts beyond
-  /// the disc are left out. limbDarkening: u of the intensity 1 - u (1 - mu), 0 to 1; its integrals
-  /// are exact but for terms in radius^2.
+  /// The azimuths [from, to], radians from the centre's azimuth, at most half a turn; the parts
+  /// beyond the disc are left out. limbDarkening: u of the intensity 1 - u (1 - mu), 0 to 1; its
+  /// integrals are exact but for terms in radius^2.
   void Set(const SunDisc& disc, double from, double to, double limbDarkening);
 
   /// All light of the slice.
   double Whole() const { return this->Light; }
 
   /// The light hidden by a horizon that rises linearly from `first` at azimuth `from` to `last` at
-  /// `to`: radians above the disc's centre. Exactly 0 if no chord is cut, Whole() if all are covered.
+  /// `to`: radians above the disc's centre. Exactly 0 if no chord is cut, Whole() if all are
+  /// covered.
   double Hidden(double first, double last) const;
 
 private:
@@ -71,12 +72,12 @@ private:
   double Light = 0.0;
 };
 
-/// The azimuths (rising, radians clockwise from grid north) whose horizons a SunAccumulator needs for
-/// suns with centres between the given azimuths (azimuthMin <= azimuthMax, any turn) and elevations,
-/// and one radius: nodes a quarter of the disc's half swath apart, over all swaths, both ends
-/// included. One sun: 9 nodes, or 25 around the circle if its disc holds the zenith or nadir, or its
-/// azimuth alone if the radius is 0. With many suns the nodes are no closer than a quarter of the
-/// mean sun's radius.
+/// The azimuths (rising, radians clockwise from grid north) whose horizons a SunAccumulator needs
+/// for suns with centres between the given azimuths (azimuthMin <= azimuthMax, any turn) and
+/// elevations, and one radius: nodes a quarter of the disc's half swath apart, over all swaths,
+/// both ends included. One sun: 9 nodes, or 25 around the circle if its disc holds the zenith or
+/// nadir, or its azimuth alone if the radius is 0. With many suns the nodes are no closer than a
+/// quarter of the mean sun's radius.
 std::vector<double> SunAzimuths(
   double azimuthMin, double azimuthMax, double elevationMin, double elevationMax, double radius);
 

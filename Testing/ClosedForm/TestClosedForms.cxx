@@ -34,6 +34,12 @@ struct Row
   double Value = 0.0;
 };
 
+// What ctest shows of a row.
+void PrintTo(const Row& row, std::ostream* out)
+{
+  *out << row.Case << ": " << row.Quantity;
+}
+
 std::vector<std::string> SplitCsv(const std::string& line)
 {
   std::vector<std::string> cells(1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From heights to sky: shapes with closed forms as posts, their horizons by the oracle, their sky by
-// the accumulators. Long shapes are cut where the last ray but that along the shape leaves them.
+// From heights to sky: shapes with closed forms as posts, their horizons by the oracle, their sky
+// by the accumulators. Long shapes are cut where the last ray but that along the shape leaves them.
 #include "KernelTesting.h"
 #include "Normals.h"
 #include "Shapes.h"
@@ -23,8 +23,8 @@ constexpr int AzimuthCount = 360;
 constexpr std::ptrdiff_t Reach = 116;
 
 /// The midpoint rule errs by w^2 / 24 / 2 pi a kink of the summed function, w = 2 pi / 360. Where a
-/// horizon of greatest slope `steep` turns down to 0 and up again, as across a valley's line, sin h has
-/// two kinks of 2 steep; and the sums' rounding.
+/// horizon of greatest slope `steep` turns down to 0 and up again, as across a valley's line, sin h
+/// has two kinks of 2 steep; and the sums' rounding.
 double QuadratureBound(double steep)
 {
   const double w = 2.0 * Pi / AzimuthCount;

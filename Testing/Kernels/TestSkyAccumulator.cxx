@@ -107,7 +107,8 @@ TEST(SkyAccumulator, NothingIsSeenFromTheBottomOfAShaft)
 
 TEST(SkyAccumulator, SteepestPlanesSeeHalfTheSky)
 {
-  // The plane hides itself alone: (1 + cos s) / 2 tends to a half; 36 azimuths stand for the circle.
+  // The plane hides itself alone: (1 + cos s) / 2 tends to a half; 36 azimuths stand for the
+  // circle.
   for (const double steep : { 1.0e4, 1.0e8, 1.0e12 })
   {
     std::vector<double> slopes;

@@ -14,7 +14,8 @@ namespace testing
 namespace
 {
 
-/// Three-point Gauss rules over pieces of pi / 8: the parts of a disc make up the disc to this, of 1.
+/// Three-point Gauss rules over pieces of pi / 8: the parts of a disc make up the disc to this, of
+/// 1.
 constexpr double GaussBound = 1.0e-6;
 
 double AngleBetween(double azimuth, double elevation, const SunDisc& disc)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The slow obvious truth: horizons, sky and sun in double precision by the plainest loops. Tests only.
+// The slow obvious truth: horizons, sky and sun in double precision by the plainest loops. Tests
+// only.
 #ifndef skyline_Oracle_h
 #define skyline_Oracle_h
 
@@ -135,8 +136,8 @@ bool LineHeight(double along, const Edge& edge, const Post& post, const Height& 
 
 /// Slope (tangent of the elevation) of the horizon of the post (column, row) in a direction: the
 /// greatest over all crossings of row, column and diagonal edges from the post to the edge of the
-/// data; for the bilinear surface also over the inside of the cells. NoTerrain if there is none, NaN
-/// if the post itself is missing. Touching a complete cell at one corner counts.
+/// data; for the bilinear surface also over the inside of the cells. NoTerrain if there is none,
+/// NaN if the post itself is missing. Touching a complete cell at one corner counts.
 inline double HorizonSlope(
   const OracleField& field, std::ptrdiff_t column, std::ptrdiff_t row, const Direction& direction)
 {

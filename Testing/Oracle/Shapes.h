@@ -73,8 +73,8 @@ inline OracleField Valley(std::ptrdiff_t columns, std::ptrdiff_t rows, double sp
     [=](double x, double) { return slope * std::abs(x); });
 }
 
-/// A wall along the columns from 'column' on, 'thickness' posts wide (0: to the east edge); its foot
-/// is the column before.
+/// A wall along the columns from 'column' on, 'thickness' posts wide (0: to the east edge); its
+/// foot is the column before.
 inline OracleField Wall(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double height,
   std::ptrdiff_t column, std::ptrdiff_t thickness = 0)
 {
@@ -87,8 +87,8 @@ inline OracleField Wall(std::ptrdiff_t columns, std::ptrdiff_t rows, double spac
     });
 }
 
-/// A trench along the middle column: floor posts within 'halfWidth' posts of it at 0, the first posts
-/// beyond at 'height'. The upper edges are (halfWidth + 1) spacings from the middle.
+/// A trench along the middle column: floor posts within 'halfWidth' posts of it at 0, the first
+/// posts beyond at 'height'. The upper edges are (halfWidth + 1) spacings from the middle.
 inline OracleField Trench(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
   double height, std::ptrdiff_t halfWidth)
 {
@@ -179,9 +179,9 @@ inline OracleField Paraboloid(
     [=](double x, double y) { return 0.5 * curvature * (x * x + y * y); });
 }
 
-/// Fractal terrain by midpoint displacement (diamond-square; Fournier, Fussell, Carpenter 1982), cut
-/// from a square of 2^n + 1 posts; heights from 0 to 'relief'. Each halving of the step multiplies
-/// the displacement by 'roughness' (0.5 smooth, 0.7 jagged).
+/// Fractal terrain by midpoint displacement (diamond-square; Fournier, Fussell, Carpenter 1982),
+/// cut from a square of 2^n + 1 posts; heights from 0 to 'relief'. Each halving of the step
+/// multiplies the displacement by 'roughness' (0.5 smooth, 0.7 jagged).
 inline OracleField Fractal(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
   double relief, std::uint64_t seed = 1, double roughness = 0.55)
 {
@@ -253,8 +253,8 @@ inline OracleField Fractal(std::ptrdiff_t columns, std::ptrdiff_t rows, double s
   return field;
 }
 
-/// Level ground with 'count' random boxes of up to 'size' posts and up to 'height' metres; the higher
-/// box wins where two overlap.
+/// Level ground with 'count' random boxes of up to 'size' posts and up to 'height' metres; the
+/// higher box wins where two overlap.
 inline OracleField RandomBoxes(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
   std::ptrdiff_t count, std::ptrdiff_t size, double height, std::uint64_t seed = 1)
 {
