@@ -108,7 +108,10 @@ std::vector<Row> Run(const Options& options)
 CLI::Option* AddNames(CLI::App& app, const std::string& option, std::vector<std::string>& names,
   const std::string& what, const std::vector<std::string>& known)
 {
-  return app.add_option(option, names, what)->delimiter(',')->check(CLI::IsMember(known));
+  return app.add_option(option, names, what)
+    ->delimiter(',')
+    ->allow_extra_args(false)
+    ->check(CLI::IsMember(known));
 }
 
 } // namespace
@@ -142,7 +145,14 @@ int main(int argc, char** argv)
   app.add_option("--csv", options.Csv, "write the table to this file too");
   app.add_flag("--quick", options.Quick, "small scenes, few azimuths: does it work?");
   app.add_option("DEM", options.Rasters, "rasters that become scenes after the others");
-  CLI11_PARSE(app, argc, argv);
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& failure)
+  {
+    return app.exit(failure) == 0 ? 0 : 2; // 0: --help
+  }
 
   // One core: the filters' driver runs here, and no thread of it outlives a fork.
   vtkSMPTools::SetBackend("Sequential");

@@ -2,8 +2,10 @@
 #include "Scenes.h"
 
 #include "Shapes.h"
+#include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
+#include "vtkExecutive.h"
 #include "vtkHeightFieldReader.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -57,16 +59,32 @@ Scene Walls(std::ptrdiff_t size)
   return scene;
 }
 
+// Keeps the first reason of a failure, and VTK from printing all of them.
+void KeepReason(vtkObject*, unsigned long, void* reason, void* message)
+{
+  auto& text = *static_cast<std::string*>(reason);
+  text = text.empty() ? static_cast<const char*>(message) : text;
+}
+
 Scene FromRaster(const std::string& name, const std::string& file)
 {
+  std::string reason;
+  vtkNew<vtkCallbackCommand> keep;
+  keep->SetCallback(KeepReason);
+  keep->SetClientData(&reason);
   vtkNew<vtkHeightFieldReader> reader;
+  reader->AddObserver(vtkCommand::ErrorEvent, keep);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, keep);
   reader->SetFileName(file.c_str());
   reader->Update();
   vtkImageData* image = reader->GetOutput();
   vtkDataArray* heights = image->GetPointData()->GetScalars();
   if (reader->GetErrorCode() != vtkErrorCode::NoError || heights == nullptr)
   {
-    throw std::runtime_error("cannot read the scene " + file);
+    // VTK puts the place in its source and the object before the reason.
+    const std::size_t object = reason.find("): ");
+    const std::size_t begin = object == std::string::npos ? 0 : object + 3;
+    throw std::runtime_error(reason.substr(begin, reason.find_last_not_of('\n') + 1 - begin));
   }
   const int* size = image->GetDimensions();
   const double* spacing = image->GetSpacing();

@@ -67,7 +67,18 @@ std::string Quoted(const std::string& text)
   return quoted + "\"";
 }
 
-constexpr int SceneWidth = -10, LabelWidth = -17, NumberWidth = 10;
+constexpr int LabelWidth = -17, NumberWidth = 10;
+
+// Of the column of scenes, which may be named after files: to the left, two spaces behind.
+int SceneWidth(const std::vector<Row>& rows)
+{
+  std::size_t longest = 8;
+  for (const Row& row : rows)
+  {
+    longest = std::max(longest, row.Scene.size());
+  }
+  return -static_cast<int>(longest + 2);
+}
 
 const Row* FindRow(const std::vector<Row>& rows, const std::string& scene, const char* method)
 {
@@ -80,11 +91,12 @@ const Row* FindRow(const std::vector<Row>& rows, const std::string& scene, const
 
 void PrintTable(std::ostream& out, const std::vector<Row>& rows)
 {
+  const int sceneWidth = SceneWidth(rows);
   out
     << "bias to max: degrees, found less oracle. prepare to wall med: ns for one post and azimuth\n"
        "on one core, CPU time of the thread (prepare, search, their sum) and wall time, smallest\n"
        "and median of the repeats. floats: peak memory a post beyond the input.\n\n"
-    << Padded("scene", SceneWidth) << Padded("method", LabelWidth);
+    << Padded("scene", sceneWidth) << Padded("method", LabelWidth);
   for (const Column& column : Columns())
   {
     if (column.Format)
@@ -101,7 +113,7 @@ void PrintTable(std::ostream& out, const std::vector<Row>& rows)
       out << "\n";
     }
     scene = row.Scene;
-    out << Padded(row.Scene, SceneWidth) << Padded(row.Label, LabelWidth);
+    out << Padded(row.Scene, sceneWidth) << Padded(row.Label, LabelWidth);
     for (const Column& column : Columns())
     {
       if (column.Format)
@@ -126,8 +138,9 @@ void PrintRatios(std::ostream& out, const std::vector<Row>& rows)
     { "exact over GRASS", "grass", "exact" },
     { "fast over exact", "exact", "fast" },
   };
+  const int sceneWidth = SceneWidth(rows);
   constexpr int width = 27;
-  out << "times faster (CPU ns, smallest)\n\n" << Padded("scene", SceneWidth);
+  out << "times faster (CPU ns, smallest)\n\n" << Padded("scene", sceneWidth);
   for (const Ratio& ratio : ratios)
   {
     out << Padded(ratio.Head, width);
@@ -141,7 +154,7 @@ void PrintRatios(std::ostream& out, const std::vector<Row>& rows)
       continue;
     }
     scene = row.Scene;
-    out << Padded(scene, SceneWidth);
+    out << Padded(scene, sceneWidth);
     for (const Ratio& ratio : ratios)
     {
       const Row* slow = FindRow(rows, scene, ratio.Slow);
