@@ -35,8 +35,12 @@ constexpr std::ptrdiff_t ChunkLines = 64;
 // 0.0143 degrees, and one of 15 degrees by 0.0072 at the band's edge.
 constexpr double BandTolerance = 0.0005;
 
-// A row of slopes is written in whole blocks of this many.
-constexpr std::ptrdiff_t SlopeBlock = 32;
+// Floats from a line of slopes to the next: lines are written in whole blocks of 32, and an odd number
+// of cache lines spreads them over the cache's sets when columns are turned into rows.
+std::ptrdiff_t SlopeStride(std::ptrdiff_t lanes)
+{
+  return (lanes + 31) / 32 * 32 + 16;
+}
 
 double Now()
 {
@@ -165,7 +169,7 @@ void HorizonScene::FindRows(
   const RayFrame& frame = method.Frame();
   const std::ptrdiff_t begin = frame.Reversed ? frame.Lines - band.RowEnd : band.RowBegin;
   const std::ptrdiff_t end = frame.Reversed ? frame.Lines - band.RowBegin : band.RowEnd;
-  const std::ptrdiff_t stride = (frame.Lanes + SlopeBlock - 1) / SlopeBlock * SlopeBlock;
+  const std::ptrdiff_t stride = SlopeStride(frame.Lanes);
   vtkSMPThreadLocal<std::vector<float>> buffers;
   vtkSMPTools::For(0, (end - begin + ChunkLines - 1) / ChunkLines, 1,
     [&](vtkIdType first, vtkIdType last)
@@ -191,7 +195,7 @@ void HorizonScene::FindColumns(
 {
   const RayFrame& frame = method.Frame();
   const std::ptrdiff_t rows = band.RowEnd - band.RowBegin;
-  const std::ptrdiff_t stride = (rows + SlopeBlock - 1) / SlopeBlock * SlopeBlock;
+  const std::ptrdiff_t stride = SlopeStride(rows);
   vtkSMPThreadLocal<std::vector<float>> buffers;
   vtkSMPTools::For(0, (frame.Lines + ChunkLines - 1) / ChunkLines, 1,
     [&](vtkIdType first, vtkIdType last)
