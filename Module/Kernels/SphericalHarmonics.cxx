@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// With Q_l^m = N_lm d^m P_l / dz^m (times sqrt(2) where m > 0) the functions are Q_l^m(z) times the
-// real and imaginary parts of (x + i y)^m, and the three-term recurrence of the Legendre functions
-// becomes
-//   Q_l^m = a_lm z Q_(l-1)^m - (a_lm / a_(l-1)m) Q_(l-2)^m,   a_lm = sqrt((4 l^2 - 1) / (l^2 - m^2))
-// from Q_m^m (a constant) and Q_(m-1)^m = 0.
 #include "SphericalHarmonics.h"
 
 #include "Constants.h"
+#include "HarmonicRecurrence.h"
 
 #include <cmath>
 
@@ -15,50 +11,6 @@ namespace skyline
 
 namespace
 {
-
-/// Square root at compile time, by Newton's method from above; x is between 1e-3 and 1e3.
-constexpr double Root(double x)
-{
-  double root = x > 1.0 ? x : 1.0;
-  for (int step = 0; step < 40; ++step)
-  {
-    root = 0.5 * (root + x / root);
-  }
-  return root;
-}
-
-struct RecurrenceTable
-{
-  double Start[MaxHarmonicBands] = {};                    ///< Q_m^m
-  double Rise[MaxHarmonicBands][MaxHarmonicBands] = {};   ///< [m][l]: a_lm
-  double Before[MaxHarmonicBands][MaxHarmonicBands] = {}; ///< [m][l]: a_lm / a_(l-1)m
-  double ZenithInverse[MaxHarmonicBands] = {};            ///< 1 / Y_m,0(zenith)
-};
-
-constexpr RecurrenceTable MakeRecurrence()
-{
-  RecurrenceTable table;
-  for (int m = 0; m < MaxHarmonicBands; ++m)
-  {
-    // Q_m^m = sqrt((2 m + 1) / (4 pi) / (2 m)!) (2 m - 1)!!, and (2 m - 1)!!^2 / (2 m)! is the
-    // product of (2 k - 1) / (2 k), k = 1 ... m.
-    double square = (2.0 * m + 1.0) / (4.0 * Pi) * (m > 0 ? 2.0 : 1.0);
-    for (int k = 1; k <= m; ++k)
-    {
-      square *= (2.0 * k - 1.0) / (2.0 * k);
-    }
-    table.Start[m] = Root(square);
-    table.ZenithInverse[m] = Root(4.0 * Pi / (2.0 * m + 1.0));
-    for (int l = m + 1; l < MaxHarmonicBands; ++l)
-    {
-      table.Rise[m][l] = Root((4.0 * l * l - 1.0) / (l * l - m * m));
-      table.Before[m][l] = l > m + 1 ? table.Rise[m][l] / table.Rise[m][l - 1] : 0.0;
-    }
-  }
-  return table;
-}
-
-constexpr RecurrenceTable Recurrence = MakeRecurrence();
 
 /// sqrt((2 l + 1) / (4 pi)): the value of Y_l,0 at the zenith.
 double ZenithValue(int l)
@@ -75,7 +27,7 @@ void EvaluateHarmonics(int bands, Real x, Real y, Real z, Real* values)
   for (int m = 0; m < bands; ++m)
   {
     Real before = 0;
-    Real value = static_cast<Real>(Recurrence.Start[m]);
+    Real value = static_cast<Real>(HarmonicConstants.Start[m]);
     for (int l = m;;)
     {
       values[HarmonicIndex(l, -m)] = value * odd;
@@ -84,8 +36,8 @@ void EvaluateHarmonics(int bands, Real x, Real y, Real z, Real* values)
       {
         break;
       }
-      const Real next = static_cast<Real>(Recurrence.Rise[m][l]) * z * value -
-        static_cast<Real>(Recurrence.Before[m][l]) * before;
+      const Real next = static_cast<Real>(HarmonicConstants.Rise[m][l]) * z * value -
+        static_cast<Real>(HarmonicConstants.Before[m][l]) * before;
       before = value;
       value = next;
     }
@@ -117,7 +69,7 @@ void RotateZonal(int bands, const Real* zonal, Real x, Real y, Real z, Real* out
   EvaluateHarmonics(bands, x, y, z, out);
   for (int l = 0; l < bands; ++l)
   {
-    const Real weight = static_cast<Real>(Recurrence.ZenithInverse[l]) * zonal[l];
+    const Real weight = static_cast<Real>(HarmonicConstants.ZenithInverse[l]) * zonal[l];
     for (int k = HarmonicIndex(l, -l); k <= HarmonicIndex(l, l); ++k)
     {
       out[k] *= weight;

@@ -2,13 +2,13 @@
 #include "SphericalHarmonics.h"
 
 #include "../Geo/Table.h"
+#include "HarmonicTesting.h"
 #include "SphereQuadrature.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -19,23 +19,10 @@ namespace testing
 namespace
 {
 
-/// The project's bound for the algebra of harmonics; sums here have up to a few hundred terms of
-/// order 1 in double.
-constexpr double AlgebraBound = 1.0e-12;
-
-/// The same in float: 24 bits, up to 8 recurrence steps and values up to 3.
+/// Values in float: 24 bits, up to 8 recurrence steps and values up to 3.
 constexpr double FloatBound = 3.0e-6;
 
 constexpr int Count = HarmonicCount(MaxHarmonicBands);
-
-std::vector<double> RandomVector(int count, unsigned seed)
-{
-  std::mt19937 engine(seed);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  std::vector<double> vector(count);
-  std::generate(vector.begin(), vector.end(), [&] { return uniform(engine); });
-  return vector;
-}
 
 struct Direction
 {

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bounds and random vectors of the tests of harmonics.
+#ifndef skyline_HarmonicTesting_h
+#define skyline_HarmonicTesting_h
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+namespace skyline
+{
+namespace testing
+{
+
+/// The project's bound for the algebra of harmonics; sums here have up to a few hundred terms of
+/// order 1 in double.
+constexpr double AlgebraBound = 1.0e-12;
+
+/// Numbers in [-1, 1].
+inline std::vector<double> RandomVector(int count, unsigned seed)
+{
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  std::vector<double> vector(count);
+  std::generate(vector.begin(), vector.end(), [&] { return uniform(engine); });
+  return vector;
+}
+
+} // namespace testing
+} // namespace skyline
+
+#endif
