@@ -20,6 +20,10 @@ void vtkHeightFieldAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Flat: " << this->Flat << "\n"
      << indent << "RefractionCoefficient: " << this->RefractionCoefficient << "\n"
      << indent << "Tolerance: " << this->Tolerance << "\n"
+     << indent << "LevelStep: " << this->LevelStep << "\n"
+     << indent << "LevelOffset: " << this->LevelOffset << "\n"
+     << indent << "LevelDistance: " << this->LevelDistance << "\n"
+     << indent << "LevelSpline: " << this->LevelSpline << "\n"
      << indent << "PrepareSeconds: " << this->PrepareSeconds << "\n"
      << indent << "SearchSeconds: " << this->SearchSeconds << "\n";
 }
@@ -68,6 +72,8 @@ int vtkHeightFieldAlgorithm::RequestData(
     options.Settings.Method = static_cast<skyline::HorizonMethodKind>(this->Method);
     options.Settings.Shape = static_cast<skyline::Surface>(this->Surface);
     options.Settings.Tolerance = this->Tolerance * skyline::RadiansPerDegree;
+    options.Settings.Pyramid = { this->LevelStep, this->LevelOffset, this->LevelDistance,
+      this->LevelSpline };
     options.Flat = this->Flat;
     options.Refraction = this->RefractionCoefficient;
     skyline::HorizonScene scene(input, heights, options);

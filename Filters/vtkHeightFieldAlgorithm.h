@@ -33,9 +33,10 @@ public:
 
   enum MethodType
   {
-    EXACT = 0, ///< every edge of the surface that can matter
-    FAST = 1,  ///< below the exact horizon by 0.2 degrees at most
-    SWEEP = 2  ///< Timonen & Westerholm 2010 as published, resampled: off by degrees at places
+    EXACT = 0,  ///< every edge of the surface that can matter
+    FAST = 1,   ///< below the exact horizon by 0.2 degrees at most
+    SWEEP = 2,  ///< Timonen & Westerholm 2010 as published, resampled: off by degrees at places
+    PYRAMID = 3 ///< Snyder & Nowrouzezahrai 2008: smooth, off by a degree, horizons of 0 at least
   };
   enum SurfaceType
   {
@@ -45,15 +46,16 @@ public:
 
   ///@{
   /// How horizons are found; default EXACT.
-  vtkSetClampMacro(Method, int, EXACT, SWEEP);
+  vtkSetClampMacro(Method, int, EXACT, PYRAMID);
   vtkGetMacro(Method, int);
   void SetMethodToExact() { this->SetMethod(EXACT); }
   void SetMethodToFast() { this->SetMethod(FAST); }
   void SetMethodToSweep() { this->SetMethod(SWEEP); }
+  void SetMethodToPyramid() { this->SetMethod(PYRAMID); }
   ///@}
 
   ///@{
-  /// The surface through the posts; default TRIANGLES. SWEEP knows no other.
+  /// The surface through the posts; default TRIANGLES. SWEEP and PYRAMID know no other.
   vtkSetClampMacro(Surface, int, TRIANGLES, BILINEAR);
   vtkGetMacro(Surface, int);
   void SetSurfaceToTriangles() { this->SetSurface(TRIANGLES); }
@@ -81,6 +83,22 @@ public:
   vtkGetMacro(Tolerance, double);
   ///@}
 
+  ///@{
+  /// The parameters of PYRAMID (Snyder & Nowrouzezahrai 2008). LevelStep k: levels an octave, 1 to 16,
+  /// default 4; LevelOffset o: octaves by which sharper levels are read, 0 or more, default 2;
+  /// LevelDistance lambda: samples to where a level is read, default 1; LevelSpline: the b-spline over
+  /// log distance, default on; off: the greatest level alone, cheaper.
+  vtkSetMacro(LevelStep, double);
+  vtkGetMacro(LevelStep, double);
+  vtkSetMacro(LevelOffset, double);
+  vtkGetMacro(LevelOffset, double);
+  vtkSetMacro(LevelDistance, double);
+  vtkGetMacro(LevelDistance, double);
+  vtkSetMacro(LevelSpline, bool);
+  vtkGetMacro(LevelSpline, bool);
+  vtkBooleanMacro(LevelSpline, bool);
+  ///@}
+
   /// Seconds that the last execution took: preparation of bounds, and search with its consumers.
   vtkGetMacro(PrepareSeconds, double);
   vtkGetMacro(SearchSeconds, double);
@@ -104,6 +122,10 @@ protected:
   bool Flat = false;
   double RefractionCoefficient = 0.13;
   double Tolerance = 0.0;
+  double LevelStep = 4.0;
+  double LevelOffset = 2.0;
+  double LevelDistance = 1.0;
+  bool LevelSpline = true;
   double PrepareSeconds = 0.0;
   double SearchSeconds = 0.0;
 

@@ -36,14 +36,15 @@ void HorizonOptions::AddTo(CLI::App& command, bool azimuths)
   command
     .add_option("--method", this->Method,
       "exact: every edge of the surface counts;\nfast: up to 0.2 degrees lower than exact;\n"
-      "sweep: line sweeps, resampled to the posts, off by degrees at places")
-    ->check(CLI::IsMember({ "exact", "fast", "sweep" }))
+      "sweep: line sweeps, resampled to the posts, off by degrees at places;\n"
+      "pyramid: smoothed heights, for soft shadows; off by a degree, none below 0")
+    ->check(CLI::IsMember({ "exact", "fast", "sweep", "pyramid" }))
     ->type_name("NAME")
     ->capture_default_str();
   command
     .add_option("--surface", this->Surface,
       "Surface through the posts. triangles: cells split from south-west to north-east;\n"
-      "bilinear: bilinear cells; not with method sweep")
+      "bilinear: bilinear cells; not with methods sweep and pyramid")
     ->check(CLI::IsMember({ "triangles", "bilinear" }))
     ->type_name("NAME")
     ->capture_default_str();

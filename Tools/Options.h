@@ -47,7 +47,8 @@ struct HorizonOptions
     this->Check();
     filter->SetMethod(this->Method == "exact" ? Filter::EXACT
         : this->Method == "fast"              ? Filter::FAST
-                                              : Filter::SWEEP);
+        : this->Method == "sweep"             ? Filter::SWEEP
+                                              : Filter::PYRAMID);
     filter->SetSurface(this->Surface == "triangles" ? Filter::TRIANGLES : Filter::BILINEAR);
     filter->SetFlat(this->Flat);
     filter->SetRefractionCoefficient(this->Refraction);

@@ -2,6 +2,7 @@
 #include "HorizonMethod.h"
 
 #include "HorizonExact.h"
+#include "HorizonPyramid.h"
 #include "HorizonSweep.h"
 
 #include <algorithm>
@@ -27,6 +28,13 @@ std::unique_ptr<HorizonMethod> MakeHorizonMethod(
           "the sweep samples the posts bilinearly: it knows no other surface; use exact or fast");
       }
       return std::make_unique<HorizonSweep>(field, chosen);
+    case HorizonMethodKind::Pyramid:
+      if (settings.Shape != Surface::Triangles)
+      {
+        throw std::invalid_argument(
+          "the pyramid smooths the posts: it knows no other surface; use exact or fast");
+      }
+      return std::make_unique<HorizonPyramid>(field, chosen);
     case HorizonMethodKind::Fast:
       chosen.Tolerance = std::max(settings.Tolerance, FastTolerance);
       break;

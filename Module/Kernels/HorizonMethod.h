@@ -6,6 +6,7 @@
 #include "Constants.h"
 #include "Grid.h"
 #include "HeightField.h"
+#include "PyramidSettings.h"
 #include "RayFrame.h"
 
 #include <cstddef>
@@ -16,9 +17,10 @@ namespace skyline
 
 enum class HorizonMethodKind
 {
-  Exact, ///< every edge that can matter, the others skipped under bounds
-  Fast,  ///< the same search with FastTolerance: never above the horizon, below it by that at most
-  Sweep  ///< the line sweeps of Timonen & Westerholm 2010, sections 4 and 5, as published
+  Exact,  ///< every edge that can matter, the others skipped under bounds
+  Fast,   ///< the same search with FastTolerance: never above the horizon, below it by that at most
+  Sweep,  ///< the line sweeps of Timonen & Westerholm 2010, sections 4 and 5, as published
+  Pyramid ///< the pyramid of Snyder & Nowrouzezahrai 2008, section 4: smooth, off by a degree
 };
 
 /// Radians by which Fast may miss, certified for every surface and height: 0.2 degrees. On terrain
@@ -28,9 +30,10 @@ constexpr double FastTolerance = 0.2 * RadiansPerDegree;
 struct HorizonSettings
 {
   HorizonMethodKind Method = HorizonMethodKind::Exact;
-  Surface Shape = Surface::Triangles; ///< Sweep takes Triangles and means its own samples
+  Surface Shape = Surface::Triangles; ///< Sweep and Pyramid take Triangles, mean their own samples
   double Sink = 0.0; ///< (1 - k) / 2R in 1/m: how a post sinks with its distance squared; 0 flat
-  double Tolerance = 0.0; ///< radians by which Exact may fall short of the horizon, 0 or more
+  double Tolerance = 0.0;  ///< radians by which Exact may fall short of the horizon, 0 or more
+  PyramidSettings Pyramid; ///< of Pyramid alone
 };
 
 /// Finds the slopes (tangents of the elevation) of the horizons of all posts, azimuth by azimuth:

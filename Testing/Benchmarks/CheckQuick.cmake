@@ -11,7 +11,7 @@ if (NOT result EQUAL 0)
 endif ()
 foreach (line IN ITEMS
     "hills +exact " "walls +exact " "helens +exact " "hills +exact, 0.05 deg " "hills +fast "
-    "hills +sweep " "hills +every crossing " "hills +Embree 0.01 deg " "hills +GRASS r.horizon "
+    "hills +sweep " "hills +pyramid " "hills +pyramid, max alone " "hills +every crossing " "hills +Embree 0.01 deg " "hills +GRASS r.horizon "
     "hills +exact \\+ sky view " "exact over every crossing")
   if (NOT output MATCHES "${line}")
     message(FATAL_ERROR "no line '${line}'")

@@ -32,6 +32,19 @@ Method OfSettings(const char* name, const char* label, HorizonMethodKind kind, d
           } };
 }
 
+// SN08's cheaper pyramid, for environment light.
+Method OfLevels(const char* name, const char* label)
+{
+  HorizonSettings settings;
+  settings.Method = HorizonMethodKind::Pyramid;
+  settings.Pyramid.Spline = false;
+  const MakeMethod make = [settings](const HeightField& field)
+  { return MakeHorizonMethod(field, settings); };
+  return { name, label, [make](const Scene& scene, const Truth& truth, const Plan& plan) {
+            return MeasureKernel(scene, truth, make, plan.Repeats);
+          } };
+}
+
 Result MeasureEveryCrossing(const Scene& scene, const Truth& truth, const Plan& plan)
 {
   const MakeMethod make = [](const HeightField& field)
@@ -55,6 +68,8 @@ const std::vector<Method>& Methods()
     OfSettings("tolerance", "exact, 0.05 deg", HorizonMethodKind::Exact, LooseTolerance),
     OfSettings("fast", "fast", HorizonMethodKind::Fast, 0.0),
     OfSettings("sweep", "sweep", HorizonMethodKind::Sweep, 0.0),
+    OfSettings("pyramid", "pyramid", HorizonMethodKind::Pyramid, 0.0),
+    OfLevels("pyramidmax", "pyramid, max alone"),
     { "every", "every crossing", MeasureEveryCrossing },
     OfEmbree("embree0.25", "Embree 0.25 deg", 0.25),
     OfEmbree("embree0.01", "Embree 0.01 deg", 0.01),
@@ -79,6 +94,7 @@ std::string DescribeMethods()
     << "fast             the same, may fall short by " << FastTolerance * DegreesPerRadian
     << " degrees\n"
     << "sweep            Timonen & Westerholm 2010, resampled\n"
+    << "pyramid          Snyder & Nowrouzezahrai 2008, k = 4, o = 2; no horizon below 0\n"
     << "every crossing   plain float loops over all edges, vectorised by the compiler\n"
     << "Embree           occlusion rays of one thread, the bracket grown from the azimuth before "
        "and halved until it is\n                 twice the accuracy wide; behind missing posts a "

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Kernels/HorizonPyramid.cxx"
+#include "hwy/foreach_target.h"
+
+#include "FastMath-inl.h"
+#include "HorizonPyramid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "hwy/contrib/math/math-inl.h"
+#include "hwy/highway.h"
+
+#ifndef skyline_HorizonPyramid_task
+#define skyline_HorizonPyramid_task
+namespace skyline
+{
+
+/// Rows of a level, each with its weight: the other axis of the bicubic b-spline.
+struct RowTaps
+{
+  int Count = 0;
+  const float* Rows[8] = {};
+  const float* Coverage[8] = {};
+  float Weights[8] = {};
+};
+
+/// One level for a line of receivers.
+struct LevelTask
+{
+  RowTaps Receiver, Caster;
+  float Near = 1.0f, Far = 0.0f;     // weights of the caster's two columns
+  std::ptrdiff_t Shift = 0;          // lanes to the first of them
+  std::ptrdiff_t Begin = 0, End = 0; // lanes whose caster lies in the data
+  float InverseDistance = 1.0f;      // 1 / m
+  float Sink = 0.0f;                 // of the caster as a slope
+};
+
+} // namespace skyline
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace skyline
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+using Tag = hn::CappedTag<float, 16>;
+using V = hn::Vec<Tag>;
+
+// A sample counts as terrain if half of it is; a receiver's own place if anything is.
+constexpr float CasterCoverage = 0.5f;
+constexpr float ReceiverCoverage = 1.0e-6f;
+
+HWY_INLINE V SumAt(const RowTaps& taps, const float* const* rows, std::ptrdiff_t lane)
+{
+  const Tag d;
+  V sum = hn::Mul(hn::Set(d, taps.Weights[0]), hn::LoadU(d, rows[0] + lane));
+  for (int tap = 1; tap < taps.Count; ++tap)
+  {
+    sum = hn::MulAdd(hn::Set(d, taps.Weights[tap]), hn::LoadU(d, rows[tap] + lane), sum);
+  }
+  return sum;
+}
+
+HWY_INLINE V SumBetween(const LevelTask& task, const float* const* rows, std::ptrdiff_t lane)
+{
+  const Tag d;
+  const V near = SumAt(task.Caster, rows, lane + task.Shift);
+  const V far = SumAt(task.Caster, rows, lane + task.Shift + 1);
+  return hn::MulAdd(hn::Set(d, task.Far), far, hn::Mul(hn::Set(d, task.Near), near));
+}
+
+/// The derivative of one level (SN08, equation 2), 0 where it is below or reads no terrain.
+template <bool Missing>
+HWY_INLINE V SlopeOf(const LevelTask& task, std::ptrdiff_t lane)
+{
+  const Tag d;
+  const V zero = hn::Zero(d);
+  const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d));
+  if (lane >= task.End || lane + lanes <= task.Begin)
+  {
+    return zero;
+  }
+  V from = SumAt(task.Receiver, task.Receiver.Rows, lane);
+  V to = SumBetween(task, task.Caster.Rows, lane);
+  V good = hn::Set(d, 1.0f);
+  if (Missing)
+  {
+    const V here = SumAt(task.Receiver, task.Receiver.Coverage, lane);
+    const V there = SumBetween(task, task.Caster.Coverage, lane);
+    const auto known = hn::And(
+      hn::Ge(here, hn::Set(d, ReceiverCoverage)), hn::Ge(there, hn::Set(d, CasterCoverage)));
+    good = hn::IfThenElseZero(known, good);
+    from = hn::Div(from, hn::Max(here, hn::Set(d, ReceiverCoverage)));
+    to = hn::Div(to, hn::Max(there, hn::Set(d, CasterCoverage)));
+  }
+  if (lane < task.Begin || lane + lanes > task.End)
+  {
+    const V place = hn::Iota(d, 0.0f);
+    const auto inside = hn::And(hn::Ge(place, hn::Set(d, static_cast<float>(task.Begin - lane))),
+      hn::Lt(place, hn::Set(d, static_cast<float>(task.End - lane))));
+    good = hn::IfThenElseZero(inside, good);
+  }
+  const V slope =
+    hn::MulSub(hn::Sub(to, from), hn::Set(d, task.InverseDistance), hn::Set(d, task.Sink));
+  return hn::IfThenElseZero(hn::Gt(good, zero), hn::Max(slope, zero));
+}
+
+/// The greatest value at and halfway between the knots of the cubic b-spline through a sequence of
+/// angles, its ends repeated (SN08, equations 4 and 5). Shift takes the next of them.
+struct SplineMaximum
+{
+  V First, Second, Third; // the last three of the sequence
+  V Best;
+
+  HWY_INLINE void Start(V value)
+  {
+    this->First = this->Second = this->Third = value; // the first is there twice
+    this->Best = hn::Zero(Tag());
+  }
+  HWY_INLINE void Shift(V value, bool half)
+  {
+    const Tag d;
+    const V knot = hn::MulAdd(hn::Set(d, 4.0f), this->Third, hn::Add(this->Second, value));
+    this->Best = hn::Max(this->Best, hn::Mul(hn::Set(d, 1.0f / 6.0f), knot));
+    if (half)
+    {
+      const V between = hn::MulAdd(
+        hn::Set(d, 23.0f), hn::Add(this->Second, this->Third), hn::Add(this->First, value));
+      this->Best = hn::Max(this->Best, hn::Mul(hn::Set(d, 1.0f / 48.0f), between));
+    }
+    this->First = this->Second;
+    this->Second = this->Third;
+    this->Third = value;
+  }
+};
+
+template <bool Missing>
+HWY_INLINE V AngleOf(const LevelTask& task, std::ptrdiff_t lane)
+{
+  const Tag d;
+  const V slope = SlopeOf<Missing>(task, lane);
+  return hn::AllFalse(d, hn::Gt(slope, hn::Zero(d)))
+    ? hn::Zero(d)
+    : AtanIn(d, slope, 1.0f, static_cast<float>(0.5 * Pi));
+}
+
+template <bool Missing>
+HWY_INLINE V SplineHorizon(const LevelTask* tasks, std::size_t levels, std::ptrdiff_t lane)
+{
+  const Tag d;
+  SplineMaximum spline;
+  spline.Start(AngleOf<Missing>(tasks[0], lane));
+  for (std::size_t i = 1; i < levels; ++i)
+  {
+    spline.Shift(AngleOf<Missing>(tasks[i], lane), i > 1);
+  }
+  spline.Shift(spline.Third, levels > 1);
+  return hn::Div(hn::Sin(d, spline.Best), hn::Max(hn::Cos(d, spline.Best), hn::Set(d, 1.0e-9f)));
+}
+
+/// Slopes of lanes [begin, end) of a line, whole vectors of them.
+template <bool Missing, bool Spline>
+HWY_NOINLINE void FindLanes(const LevelTask* tasks, std::size_t levels, std::ptrdiff_t begin,
+  std::ptrdiff_t end, float* slopes)
+{
+  const Tag d;
+  const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d));
+  for (std::ptrdiff_t lane = begin; lane < end; lane += lanes, slopes += lanes)
+  {
+    if (Spline)
+    {
+      hn::StoreU(SplineHorizon<Missing>(tasks, levels, lane), d, slopes);
+      continue;
+    }
+    V best = hn::Zero(d);
+    for (std::size_t i = 0; i < levels; ++i)
+    {
+      best = hn::Max(best, SlopeOf<Missing>(tasks[i], lane));
+    }
+    hn::StoreU(best, d, slopes);
+  }
+}
+
+void FindLine(const std::vector<LevelTask>& tasks, bool missing, bool spline, std::ptrdiff_t begin,
+  std::ptrdiff_t end, float* slopes)
+{
+  const auto find = missing ? (spline ? FindLanes<true, true> : FindLanes<true, false>)
+                            : (spline ? FindLanes<false, true> : FindLanes<false, false>);
+  find(tasks.data(), tasks.size(), begin, end, slopes);
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace skyline
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace skyline
+{
+
+HWY_EXPORT(FindLine);
+
+namespace
+{
+
+/// Adds the taps of a whole row of posts, times a weight; a row that is there already takes it.
+void AddRow(const HeightPyramid& pyramid, int level, double row, double weight, RowTaps& taps)
+{
+  const PyramidLevel& samples = pyramid.Level(level);
+  SplineTaps spline{ { 1.0f, 0.0f, 0.0f, 0.0f }, { static_cast<std::ptrdiff_t>(row), 0, 0, 0 } };
+  const bool finest = level == pyramid.Levels() - 1; // the field itself, not smoothed
+  if (!finest)
+  {
+    spline = TapsAt(row, samples.Scale, samples.Rows);
+  }
+  for (std::size_t k = 0; k < (finest ? 1u : 4u); ++k)
+  {
+    const float* values = pyramid.Row(level, spline.Samples[k]);
+    const float* const* place = std::find(taps.Rows, taps.Rows + taps.Count, values);
+    const auto tap = place - taps.Rows;
+    if (tap == taps.Count)
+    {
+      ++taps.Count;
+      taps.Rows[tap] = values;
+      taps.Coverage[tap] =
+        pyramid.HasMissing() ? pyramid.CoverageRow(level, spline.Samples[k]) : nullptr;
+    }
+    taps.Weights[tap] += spline.Weights[k] * static_cast<float>(weight);
+  }
+}
+
+/// Lanes whose caster, `shift` posts away, lies in the data.
+void SetLanes(double shift, std::ptrdiff_t columns, LevelTask& task)
+{
+  constexpr double snap = 1.0e-9; // posts: what the offset is rounded to
+  const double last = static_cast<double>(columns - 1);
+  const double begin = std::max(0.0, std::ceil(-shift - snap));
+  const double end = std::min(last, std::floor(last - shift + snap)) + 1.0;
+  task.Begin = static_cast<std::ptrdiff_t>(begin);
+  task.End = static_cast<std::ptrdiff_t>(std::max(end, 0.0));
+}
+
+LevelTask TaskOf(const HeightPyramid& pyramid, const PyramidReach& reach, double sink,
+  std::ptrdiff_t columns, std::ptrdiff_t rows, std::ptrdiff_t row)
+{
+  LevelTask task;
+  const double there = static_cast<double>(row) + reach.North;
+  const double low = std::floor(there + 1.0e-9);
+  if (low < 0.0 || there > static_cast<double>(rows - 1) + 1.0e-9)
+  {
+    return task; // no lane at all
+  }
+  SetLanes(reach.East, columns, task);
+  if (task.Begin >= task.End)
+  {
+    task.Begin = task.End = 0;
+    return task;
+  }
+  AddRow(pyramid, reach.Level, static_cast<double>(row), 1.0, task.Receiver);
+  const double part = std::max(0.0, there - low);
+  AddRow(pyramid, reach.Level, low, 1.0 - part, task.Caster);
+  if (part > 1.0e-9)
+  {
+    AddRow(pyramid, reach.Level, low + 1.0, part, task.Caster);
+  }
+  const double left = std::floor(reach.East + 1.0e-9);
+  task.Shift = static_cast<std::ptrdiff_t>(left);
+  task.Far = static_cast<float>(std::max(0.0, reach.East - left));
+  task.Near = 1.0f - task.Far;
+  task.InverseDistance = static_cast<float>(1.0 / reach.Distance);
+  task.Sink = static_cast<float>(sink * reach.Distance);
+  return task;
+}
+
+void CheckSettings(const PyramidSettings& settings)
+{
+  if (!(settings.LevelOffset >= 0.0 && settings.LevelOffset <= 64.0))
+  {
+    throw std::invalid_argument("the pyramid's level offset is " +
+      std::to_string(settings.LevelOffset) + " octaves; give 0 to 64");
+  }
+  if (!(settings.Distance > 0.0 && settings.Distance <= 64.0))
+  {
+    throw std::invalid_argument("the pyramid reads " + std::to_string(settings.Distance) +
+      " samples away; give more than 0, 64 at most");
+  }
+}
+
+} // namespace
+
+std::vector<PyramidReach> PyramidReaches(
+  const HeightPyramid& pyramid, const PyramidSettings& settings, const Grid& grid, double azimuth)
+{
+  const Direction toward = DirectionOfAzimuth(azimuth);
+  const double east = toward.East / grid.SpacingX; // posts a metre
+  const double north = toward.North / grid.SpacingY;
+  const double metresPerPost = 1.0 / std::hypot(east, north);
+  std::vector<PyramidReach> reaches;
+  for (int i = 0; i < pyramid.Levels(); ++i)
+  {
+    const double sharper = std::ceil(i + settings.LevelStep * settings.LevelOffset - 1.0e-9);
+    PyramidReach reach;
+    reach.Level = static_cast<int>(std::min(sharper, pyramid.Levels() - 1.0));
+    reach.Distance = settings.Distance * pyramid.Level(i).Scale * metresPerPost;
+    reach.East = reach.Distance * east;
+    reach.North = reach.Distance * north;
+    reaches.push_back(reach);
+  }
+  return reaches;
+}
+
+HorizonPyramid::HorizonPyramid(const HeightField& field, const HorizonSettings& settings)
+  : Settings(settings)
+  , Pyramid(field, settings.Pyramid.LevelStep)
+  , Columns(field.Posts().Columns)
+  , Rows(field.Posts().Rows)
+{
+  CheckSettings(settings.Pyramid);
+  // Rows are lines in every azimuth: the frame of north.
+  this->Ray = std::make_unique<RayFrame>(field, field.Posts(), 0.0, settings.Sink);
+}
+
+void HorizonPyramid::SetAzimuth(const Grid& grid, double azimuth)
+{
+  this->Pieces = this->Reach.empty() ? this->Pyramid.RowCount() : 0;
+  this->Reach = PyramidReaches(this->Pyramid, this->Settings.Pyramid, grid, azimuth);
+}
+
+void HorizonPyramid::Prepare(std::ptrdiff_t begin, std::ptrdiff_t end)
+{
+  this->Pyramid.Expand(begin, end);
+}
+
+void HorizonPyramid::Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd,
+  std::ptrdiff_t laneBegin, std::ptrdiff_t laneEnd, float* slopes, std::ptrdiff_t stride) const
+{
+  std::vector<LevelTask> tasks(this->Reach.size());
+  const std::ptrdiff_t whole = laneBegin + (laneEnd - laneBegin + 15) / 16 * 16;
+  for (std::ptrdiff_t line = lineBegin; line < lineEnd; ++line)
+  {
+    std::transform(this->Reach.begin(), this->Reach.end(), tasks.begin(),
+      [&](const PyramidReach& reach)
+      {
+        return TaskOf(this->Pyramid, reach, this->Settings.Sink, this->Columns, this->Rows,
+          this->Ray->ImageLine(line));
+      });
+    HWY_DYNAMIC_DISPATCH(FindLine)
+    (tasks, this->Pyramid.HasMissing(), this->Settings.Pyramid.Spline, laneBegin, whole,
+      slopes + (line - lineBegin) * stride);
+  }
+}
+
+} // namespace skyline
+#endif
