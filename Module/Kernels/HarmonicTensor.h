@@ -8,6 +8,7 @@
 #define skyline_HarmonicTensor_h
 
 #include "Constants.h"
+#include "GaussRule.h"
 #include "HarmonicRecurrence.h"
 #include "SphericalHarmonics.h"
 
@@ -26,27 +27,13 @@ struct PolarTable
 
 constexpr PolarTable MakePolarTable()
 {
+  constexpr GaussRule<TensorNodes> rule;
   PolarTable table;
   for (int node = 0; node < TensorNodes / 2; ++node)
   {
-    // Newton's method from cos(pi (node + 3/4) / (n + 1/2)), the cosine to 1e-4.
-    const double t = Pi * (node + 0.75) / (TensorNodes + 0.5), q = t * t;
-    double z = 1.0 - q / 2.0 * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0)));
-    double slope = 1.0;
-    for (int step = 0; step < 6; ++step)
-    {
-      double before = 1.0, value = z;
-      for (int l = 1; l < TensorNodes; ++l)
-      {
-        const double next = ((2.0 * l + 1.0) * z * value - l * before) / (l + 1.0);
-        before = value;
-        value = next;
-      }
-      slope = TensorNodes * (z * value - before) / (z * z - 1.0);
-      z -= value / slope;
-    }
+    const double z = rule.Node[node];
     table.Square[node] = (1.0 - z) * (1.0 + z);
-    table.Weight[node] = 2.0 * 2.0 / (table.Square[node] * slope * slope);
+    table.Weight[node] = 2.0 * rule.Weight[node];
     for (int m = 0; m < MaxHarmonicBands; ++m)
     {
       double before = 0.0, value = HarmonicConstants.Start[m];
