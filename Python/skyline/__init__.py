@@ -9,6 +9,7 @@ The classes behave like every wrapped VTK class: see help(skyline.vtkHeightField
 
 # The base classes of the wrapped ones must be known to Python first.
 from vtkmodules import vtkCommonCore, vtkCommonDataModel, vtkCommonExecutionModel  # noqa: F401
+from vtkmodules import vtkRenderingCore, vtkRenderingOpenGL2  # noqa: F401
 
 from .SkylineFilters import *  # noqa: F401,F403
 from .SkylineIO import *  # noqa: F401,F403
