@@ -3,6 +3,7 @@
 #ifndef skyline_Daylight_h
 #define skyline_Daylight_h
 
+#include "AirMass.h"
 #include "ToneMap.h"
 
 #include <array>
@@ -17,14 +18,6 @@ struct Daylight
   Rgb SunIrradiance; ///< on a surface that faces the sun
   Rgb SkyRadiance;   ///< of every part of a uniform sky
 };
-
-/// Relative path of light through the air at an apparent elevation in degrees, 1 at the zenith.
-/// Kasten and Young, Applied Optics 28 (1989), eq. 3; below the horizon, its value there.
-inline double AirMass(double elevation)
-{
-  const double e = elevation > 0.0 ? elevation : 0.0;
-  return 1.0 / (std::sin(e * 0.017453292519943295) + 0.50572 * std::pow(e + 6.07995, -1.6364));
-}
 
 /// Sun and sky for an apparent sun elevation in degrees. The sun's colour is that of white light
 /// after Rayleigh's air and a light haze (optical depths 0.0088 l^-4.08 and 0.05 l^-1.3 at

@@ -2,6 +2,7 @@
 #include "ZonalSky.h"
 
 #include "Constants.h"
+#include "SkyModel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,35 +18,22 @@ namespace
 /// Steps of Simpson's rule between two nodes of the table.
 constexpr int StepsPerNode = 8;
 
-double Gradation(double a, double b, double sine)
-{
-  const double here = sine > 0.0 ? a * std::exp(b / sine) : 0.0;
-  return (1.0 + here) / (1.0 + a * std::exp(b));
-}
-
 } // namespace
 
 bool ZonalSky::Knows(int cieType)
 {
-  return cieType == 1 || cieType == 3 || cieType == 5 || cieType == 16;
+  return cieType == 1 || cieType == 3 || cieType == 5 || cieType == TraditionalOvercast;
 }
 
 double ZonalSky::Radiance(int cieType, double sine)
 {
-  switch (cieType)
+  if (!Knows(cieType))
   {
-    case 1:
-      return Gradation(4.0, -0.7, sine);
-    case 3:
-      return Gradation(1.1, -0.8, sine);
-    case 5:
-      return 1.0;
-    case 16:
-      return (1.0 + 2.0 * sine) / 3.0;
-    default:
-      throw std::invalid_argument("CIE sky " + std::to_string(cieType) +
-        " is none that is the same all around: 1, 3, 5 and 16");
+    throw std::invalid_argument("CIE sky " + std::to_string(cieType) +
+      " is none that is the same all around: 1, 3, 5 and 16");
   }
+  const SkyModel sky = CieSky(cieType);
+  return sky.Radiance(sine, 0.0) / sky.Radiance(1.0, 0.0);
 }
 
 ZonalSky::ZonalSky(int cieType)

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Skies whose radiance depends on elevation alone. No VTK.
+// Skies whose radiance depends on elevation alone.
 #ifndef skyline_ZonalSky_h
 #define skyline_ZonalSky_h
-
-#include "SkylineRenderingModule.h" // for the export macro
 
 #include "Accumulator.h"
 
@@ -14,7 +12,7 @@ namespace skyline
 {
 
 /// A sky that looks the same in all azimuths, ready to light slopes above horizons.
-class SKYLINERENDERING_EXPORT ZonalSky
+class ZonalSky
 {
 public:
   /// The skies of CIE S 011/E:2003 that do not depend on the sun, by the standard's numbers: 1
@@ -25,9 +23,8 @@ public:
   /// Whether the type is one of those.
   static bool Knows(int cieType);
 
-  /// Radiance at an elevation whose sine is `sine` (0 to 1), over that of the zenith. Types 1 and
-  /// 3: (1 + a exp(b / sine)) / (1 + a exp b), (a, b) = (4, -0.7) and (1.1, -0.8), the standard's
-  /// gradation function and table; 5: 1; 16: (1 + 2 sine) / 3.
+  /// Radiance at an elevation whose sine is `sine` (0 to 1), over that of the zenith: CieSky of
+  /// SkyModel.h. Throws std::invalid_argument for types that it does not know.
   static double Radiance(int cieType, double sine);
 
   /// What the part of an azimuth above elevation t sends to a plane, per radian of azimuth and over
@@ -58,7 +55,7 @@ private:
 
 /// Sums the light of a zonal sky over azimuths whose swaths make up a circle: irradiance of the
 /// tilted surface of every post over that of open level ground under the same sky.
-class SKYLINERENDERING_EXPORT ZonalSkyAccumulator : public Accumulator
+class ZonalSkyAccumulator : public Accumulator
 {
 public:
   /// east, north: dz/dx and dz/dy of every post, row by row from the south (Normals.h); share: the
