@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The shader files of glsl/ as text, and their parts.
+#ifndef skyline_ShaderText_h
+#define skyline_ShaderText_h
+
+#include <string>
+
+// The files, put into the library by vtk_encode_string under these names.
+extern const char* skyline_Irradiance;
+extern const char* skyline_Lamps;
+extern const char* skyline_SoftShadowFS;
+extern const char* skyline_SoftShadowGS;
+extern const char* skyline_SoftShadowVS;
+extern const char* skyline_Srgb;
+extern const char* skyline_ToneMap;
+extern const char* skyline_Transfer;
+extern const char* skyline_Visibility;
+
+namespace skyline
+{
+
+/// One part of a file: the lines after `//Skyline::Part` up to the next line that begins so, or,
+/// with an empty name, those before the first. Places that C++ fills are `//Fill::Name`. All other
+/// comment lines stay behind: a search in a shader's text finds code.
+std::string ShaderPart(const char* file, const std::string& part = std::string());
+
+} // namespace skyline
+
+#endif

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Baked light: the irradiance of every post.
+uniform sampler2D skylineIrradiance;
+
+vec3 SkylineIrradiance(vec2 post)
+{
+  return max(texture(skylineIrradiance, post).rgb, 0.0);
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkSoftShadowPolyDataMapper
+ * @brief draws a terrain mesh in the light of its height field
+ *
+ * The mesh is any poly data over the height field, in the same coordinates; it may be decimated.
+ * Light comes from a vtkSoftShadowShader, at every fragment, at the resolution of the height field;
+ * VTK's own lights and the specular part of the property count for nothing. Colours, colours of
+ * scalars, draped textures, opacity, clipping planes, edges, depth peeling and picking work as with
+ * every mapper.
+ *
+ *     vtkNew<vtkSoftShadowPolyDataMapper> mapper;
+ *     mapper->SetInputConnection(mesh->GetOutputPort());
+ *     mapper->GetShader()->SetHeightFieldConnection(irradiance->GetOutputPort());
+ *
+ * What cannot be drawn is reported once, in one line: a renderer without an OpenGL window, and what
+ * vtkSoftShadowShader::Prepare reports. Then nothing is drawn.
+ */
+#ifndef vtkSoftShadowPolyDataMapper_h
+#define vtkSoftShadowPolyDataMapper_h
+
+#include "SkylineRenderingModule.h" // For export macro
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkSmartPointer.h" // For Shader
+
+#include <map>    // For ReplaceShaderValues
+#include <string> // For Reported
+
+class vtkSoftShadowShader;
+
+class SKYLINERENDERING_EXPORT vtkSoftShadowPolyDataMapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static vtkSoftShadowPolyDataMapper* New();
+  vtkTypeMacro(vtkSoftShadowPolyDataMapper, vtkOpenGLPolyDataMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The light. Never null: the mapper makes one, and SetShader(nullptr) makes a new one. Mappers of
+   * one terrain share one.
+   */
+  void SetShader(vtkSoftShadowShader* shader);
+  vtkSoftShadowShader* GetShader();
+  ///@}
+
+  /**
+   * The text of the fragment shader built last, before VTK's last changes for the context; empty
+   * before the first one.
+   */
+  std::string GetFragmentShaderText();
+
+  vtkMTimeType GetMTime() override;
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkSoftShadowPolyDataMapper();
+  ~vtkSoftShadowPolyDataMapper() override;
+
+  void ReplaceShaderValues(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderLight(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void SetMapperShaderParameters(
+    vtkOpenGLHelper& cells, vtkRenderer* renderer, vtkActor* actor) override;
+
+private:
+  void Report(const std::string& reason);
+
+  vtkSmartPointer<vtkSoftShadowShader> Shader;
+  std::string FragmentShaderText;
+  std::string Reported;
+
+  vtkSoftShadowPolyDataMapper(const vtkSoftShadowPolyDataMapper&) = delete;
+  void operator=(const vtkSoftShadowPolyDataMapper&) = delete;
+};
+
+#endif

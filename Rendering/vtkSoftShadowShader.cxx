@@ -1,0 +1,603 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSoftShadowShader.h"
+
+#include "Constants.h"
+#include "HarmonicProduct.h"
+#include "Normals.h"
+#include "PostTexture.h"
+#include "ShaderText.h"
+#include "SphericalHarmonics.h"
+#include "ToneMap.h"
+#include "vtkSkylineGeoreference.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPointData.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+vtkStandardNewMacro(vtkSoftShadowShader);
+
+namespace
+{
+
+constexpr int Bands = skyline::DefaultHarmonicBands;
+constexpr std::size_t Count = skyline::HarmonicCount(Bands);
+constexpr std::size_t Lamps = 4;
+
+// Functions of the bands 0 to 2, the ones a clamped cosine has below band 4.
+constexpr std::size_t Cosines = 9;
+
+using Color = std::array<double, 3>;
+using Coefficients = std::array<Color, Count>;
+
+// The factor of each shape in Visibility.glsl: the norm of its harmonic and the cosine's part.
+std::array<double, Cosines> CosineFactors()
+{
+  const double linear = std::sqrt(3.0 / (4.0 * skyline::Pi));
+  const double square = std::sqrt(15.0 / (4.0 * skyline::Pi));
+  const double zonal = std::sqrt(5.0 / (16.0 * skyline::Pi));
+  std::array<double, Cosines> factors{ { std::sqrt(1.0 / (4.0 * skyline::Pi)), linear, linear,
+    linear, square, square, zonal, square, 0.5 * square } };
+  for (std::size_t j = 0; j < Cosines; ++j)
+  {
+    const int l = j == 0 ? 0 : j < 4 ? 1 : 2;
+    factors[j] *= std::sqrt(4.0 * skyline::Pi / (2.0 * l + 1.0)) * skyline::ClampedCosineZonal(l);
+  }
+  return factors;
+}
+
+// For Transfer.glsl: the coefficients of red, of green, of blue.
+std::vector<float> PackTransferLight(const Coefficients& light)
+{
+  std::vector<float> packed;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    for (const Color& coefficient : light)
+    {
+      packed.push_back(static_cast<float>(coefficient[c]));
+    }
+  }
+  return packed;
+}
+
+// For Visibility.glsl: the product of the light with each function of the cosine.
+std::vector<float> PackVisibilityLight(const Coefficients& light)
+{
+  const skyline::HarmonicProduct& harmonics = skyline::HarmonicProduct::ForBands(Bands);
+  const std::array<double, Cosines> factors = CosineFactors();
+  std::vector<float> packed;
+  for (std::size_t j = 0; j < Cosines; ++j)
+  {
+    std::array<double, Count> function{};
+    function[j] = factors[j];
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      std::array<double, Count> channel{};
+      std::transform(light.begin(), light.end(), channel.begin(),
+        [c](const Color& coefficient) { return coefficient[c]; });
+      std::array<double, Count> product{};
+      harmonics.Product(function.data(), channel.data(), product.data());
+      packed.insert(packed.end(), product.begin(), product.end());
+    }
+  }
+  return packed;
+}
+
+// Components [first, first + count) of all posts, missing posts filled.
+std::vector<float> Gather(vtkDataArray* array, int first, int count, int columns, int rows)
+{
+  const vtkIdType posts = array->GetNumberOfTuples();
+  std::vector<float> values(static_cast<std::size_t>(posts * count));
+  auto to = values.begin();
+  for (vtkIdType post = 0; post < posts; ++post)
+  {
+    for (int c = first; c < first + count; ++c)
+    {
+      *to++ = static_cast<float>(array->GetComponent(post, c));
+    }
+  }
+  skyline::FillMissing(values, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows),
+    static_cast<std::size_t>(count));
+  return values;
+}
+
+// dz/dx and dz/dy of all posts, as the filters have them.
+std::vector<float> GatherGradients(vtkImageData* image, vtkDataArray* heights)
+{
+  const int* size = image->GetDimensions();
+  const skyline::Grid grid{ size[0], size[1], image->GetSpacing()[0], image->GetSpacing()[1] };
+  const skyline::Georeference place = skyline::LoadGeoreference(image);
+  const auto rows = static_cast<std::size_t>(size[1]);
+  const bool own = place.RowSpacingX.size() == rows && place.RowSpacingY.size() == rows;
+  const auto posts = static_cast<std::size_t>(image->GetNumberOfPoints());
+  std::vector<float> east(posts);
+  std::vector<float> north(posts);
+  skyline::Gradients(
+    grid,
+    [&](std::ptrdiff_t column, std::ptrdiff_t row)
+    { return heights->GetComponent(row * grid.Columns + column, 0); },
+    0, grid.Rows, east.data(), north.data(), own ? place.RowSpacingX.data() : nullptr,
+    own ? place.RowSpacingY.data() : nullptr);
+  std::vector<float> both(2 * posts);
+  for (std::size_t post = 0; post < posts; ++post)
+  {
+    both[2 * post] = east[post];
+    both[2 * post + 1] = north[post];
+  }
+  skyline::FillMissing(both, static_cast<std::size_t>(size[0]), rows, 2);
+  return both;
+}
+
+std::string Define(const char* name, const std::string& value)
+{
+  return std::string("#define ") + name + " " + value + "\n";
+}
+
+std::string Define(const char* name, float value)
+{
+  std::ostringstream text;
+  text.precision(9);
+  text << std::showpoint << value;
+  return Define(name, text.str());
+}
+
+std::string ToneDefines()
+{
+  return Define("SKYLINE_TONE_GREY", skyline::ToneGrey) +
+    Define("SKYLINE_TONE_CONTRAST", skyline::ToneContrast) +
+    Define("SKYLINE_TONE_KNEE", skyline::ToneKnee) +
+    Define("SKYLINE_TONE_WHITE", skyline::ToneWhite);
+}
+
+// Puts text behind a marker of VTK's, which stays for VTK.
+void AddAfter(vtkShader* shader, const std::string& marker, const std::string& text)
+{
+  vtkShaderProgram::Substitute(shader, marker, marker + "\n" + text);
+}
+
+} // namespace
+
+struct vtkSoftShadowShader::Internals
+{
+  vtkSmartPointer<vtkImageData> Image;
+  vtkSmartPointer<vtkAlgorithm> Producer;
+  int Port = 0;
+  Coefficients Light{};
+  std::array<Color, Lamps> LampRadiance{};
+  std::vector<float> PackedLight; // empty: to be packed
+  vtkTimeStamp TextTime;
+
+  skyline::PostTexture Irradiance{ "skylineIrradiance" };
+  std::array<skyline::PostTexture, 4> Harmonics{ { skyline::PostTexture("skylineHarmonics0"),
+    skyline::PostTexture("skylineHarmonics1"), skyline::PostTexture("skylineHarmonics2"),
+    skyline::PostTexture("skylineHarmonics3") } };
+  skyline::PostTexture Gradient{ "skylineGradient" };
+  skyline::PostTexture LampLight{ "skylineLampTexture" };
+  std::vector<skyline::PostTexture*> InUse; // of the last Prepare
+  int Uploads = 0;
+
+  // Of the image that the textures show.
+  std::array<double, 4> Across{};
+  std::array<double, 4> Up{};
+
+  // Rows of the matrix from positions to texture coordinates: post i has its texel's centre.
+  void Place()
+  {
+    const double(*index)[4] = this->Image->GetPhysicalToIndexMatrix()->Element;
+    const int* extent = this->Image->GetExtent();
+    const int* size = this->Image->GetDimensions();
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      const double shift = k == 3 ? 0.5 : 0.0;
+      const double first = k == 3 ? 1.0 : 0.0;
+      this->Across[k] = (index[0][k] - first * extent[0] + shift) / size[0];
+      this->Up[k] = (index[1][k] - first * extent[2] + shift) / size[1];
+    }
+  }
+
+  bool Send(skyline::PostTexture& texture, vtkOpenGLRenderWindow* window, vtkDataArray* array,
+    int first, int count, bool half)
+  {
+    this->InUse.push_back(&texture);
+    if (!texture.IsStale(window, array, array->GetMTime()))
+    {
+      return true;
+    }
+    const int* size = this->Image->GetDimensions();
+    ++this->Uploads;
+    return texture.Upload(window, Gather(array, first, count, size[0], size[1]), size[0], size[1],
+      count, half, array, array->GetMTime());
+  }
+
+  bool SendGradients(vtkOpenGLRenderWindow* window, vtkDataArray* heights)
+  {
+    this->InUse.push_back(&this->Gradient);
+    if (!this->Gradient.IsStale(window, heights, heights->GetMTime()))
+    {
+      return true;
+    }
+    const int* size = this->Image->GetDimensions();
+    ++this->Uploads;
+    return this->Gradient.Upload(window, GatherGradients(this->Image, heights), size[0], size[1], 2,
+      false, heights, heights->GetMTime());
+  }
+};
+
+vtkSoftShadowShader::vtkSoftShadowShader()
+  : Inside(std::make_unique<Internals>())
+{
+  this->SetUniformLight(1.0, 1.0, 1.0);
+  this->Inside->TextTime.Modified();
+}
+
+vtkSoftShadowShader::~vtkSoftShadowShader() = default;
+
+void vtkSoftShadowShader::SetMode(int mode)
+{
+  mode = std::clamp(mode, static_cast<int>(IRRADIANCE), static_cast<int>(VISIBILITY));
+  if (this->Mode != mode)
+  {
+    this->Mode = mode;
+    this->Inside->PackedLight.clear();
+    this->Inside->TextTime.Modified();
+    this->Modified();
+  }
+}
+
+void vtkSoftShadowShader::SetToneMapping(bool on)
+{
+  if (this->ToneMapping != on)
+  {
+    this->ToneMapping = on;
+    this->Inside->TextTime.Modified();
+    this->Modified();
+  }
+}
+
+void vtkSoftShadowShader::SetLinearTextures(bool on)
+{
+  if (this->LinearTextures != on)
+  {
+    this->LinearTextures = on;
+    this->Inside->TextTime.Modified();
+    this->Modified();
+  }
+}
+
+void vtkSoftShadowShader::SetLinearFramebuffer(bool on)
+{
+  if (this->LinearFramebuffer != on)
+  {
+    this->LinearFramebuffer = on;
+    this->Inside->TextTime.Modified();
+    this->Modified();
+  }
+}
+
+void vtkSoftShadowShader::SetHeightField(vtkImageData* image)
+{
+  if (this->Inside->Image != image || this->Inside->Producer)
+  {
+    this->Inside->Image = image;
+    this->Inside->Producer = nullptr;
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkSoftShadowShader::GetHeightField()
+{
+  return this->Inside->Image;
+}
+
+void vtkSoftShadowShader::SetHeightFieldConnection(vtkAlgorithmOutput* output)
+{
+  this->Inside->Producer = output ? output->GetProducer() : nullptr;
+  this->Inside->Port = output ? output->GetIndex() : 0;
+  this->Inside->Image = nullptr;
+  this->Modified();
+}
+
+void vtkSoftShadowShader::SetLightCoefficient(int index, double red, double green, double blue)
+{
+  if (index < 0 || index >= static_cast<int>(Count))
+  {
+    vtkErrorMacro("no light coefficient " << index << ": 0 to " << Count - 1);
+    return;
+  }
+  this->Inside->Light[static_cast<std::size_t>(index)] = { { red, green, blue } };
+  this->Inside->PackedLight.clear();
+  this->Modified();
+}
+
+void vtkSoftShadowShader::GetLightCoefficient(int index, double rgb[3])
+{
+  const bool known = index >= 0 && index < static_cast<int>(Count);
+  const Color color = known ? this->Inside->Light[static_cast<std::size_t>(index)] : Color{};
+  std::copy(color.begin(), color.end(), rgb);
+}
+
+void vtkSoftShadowShader::SetUniformLight(double red, double green, double blue)
+{
+  this->Inside->Light = Coefficients{};
+  const double y = std::sqrt(4.0 * skyline::Pi); // the coefficient of 1
+  this->SetLightCoefficient(0, y * red, y * green, y * blue);
+}
+
+void vtkSoftShadowShader::SetLampRadiance(int lamp, double red, double green, double blue)
+{
+  if (lamp < 0 || lamp >= static_cast<int>(Lamps))
+  {
+    vtkErrorMacro("no lamp " << lamp << ": 0 to " << Lamps - 1);
+    return;
+  }
+  const bool before = this->HasLamps();
+  this->Inside->LampRadiance[static_cast<std::size_t>(lamp)] = { { red, green, blue } };
+  if (this->HasLamps() != before)
+  {
+    this->Inside->TextTime.Modified();
+  }
+  this->Modified();
+}
+
+void vtkSoftShadowShader::GetLampRadiance(int lamp, double rgb[3])
+{
+  const bool known = lamp >= 0 && lamp < static_cast<int>(Lamps);
+  const Color color = known ? this->Inside->LampRadiance[static_cast<std::size_t>(lamp)] : Color{};
+  std::copy(color.begin(), color.end(), rgb);
+}
+
+bool vtkSoftShadowShader::HasLamps()
+{
+  return std::any_of(this->Inside->LampRadiance.begin(), this->Inside->LampRadiance.end(),
+    [](const Color& color) { return color != Color{}; });
+}
+
+std::string vtkSoftShadowShader::Prepare(vtkOpenGLRenderWindow* window)
+{
+  Internals& in = *this->Inside;
+  in.InUse.clear();
+  if (in.Producer)
+  {
+    in.Producer->Update();
+    in.Image = vtkImageData::SafeDownCast(in.Producer->GetOutputDataObject(in.Port));
+  }
+  if (!in.Image || in.Image->GetNumberOfPoints() == 0)
+  {
+    return "no height field to light the terrain: SetHeightField";
+  }
+  const int* size = in.Image->GetDimensions();
+  const int limit = vtkTextureObject::GetMaximumTextureSize(window);
+  if (size[2] != 1)
+  {
+    return "the height field is no 2-D image";
+  }
+  if (size[0] > limit || size[1] > limit)
+  {
+    std::ostringstream text;
+    text << size[0] << " x " << size[1] << " posts are beyond this OpenGL's largest texture, "
+         << limit << " x " << limit << "; light a part or a coarser height field";
+    return text.str();
+  }
+  const auto find = [&](const std::string& name, int least, int most) -> vtkDataArray*
+  {
+    vtkDataArray* array = in.Image->GetPointData()->GetArray(name.c_str());
+    return array && array->GetNumberOfTuples() == in.Image->GetNumberOfPoints() &&
+        array->GetNumberOfComponents() >= least && array->GetNumberOfComponents() <= most
+      ? array
+      : nullptr;
+  };
+  const auto missing = [](const std::string& name, const char* components)
+  { return "the height field has no point array " + name + " of " + components + " components"; };
+  in.Place();
+  bool sent = true;
+  if (this->Mode == IRRADIANCE)
+  {
+    vtkDataArray* array = find(this->IrradianceArrayName, 3, 3);
+    if (!array)
+    {
+      return missing(this->IrradianceArrayName, "3");
+    }
+    sent = in.Send(in.Irradiance, window, array, 0, 3, false);
+  }
+  else
+  {
+    const std::string& name =
+      this->Mode == TRANSFER ? this->TransferArrayName : this->VisibilityArrayName;
+    vtkDataArray* array = find(name, static_cast<int>(Count), static_cast<int>(Count));
+    if (!array)
+    {
+      return missing(name, "16");
+    }
+    for (int k = 0; k < 4; ++k)
+    {
+      sent =
+        in.Send(in.Harmonics[static_cast<std::size_t>(k)], window, array, 4 * k, 4, true) && sent;
+    }
+  }
+  if (this->Mode == VISIBILITY)
+  {
+    vtkDataArray* heights = find(this->ElevationArrayName, 1, 1);
+    heights = heights ? heights : in.Image->GetPointData()->GetScalars();
+    if (!heights || heights->GetNumberOfComponents() != 1)
+    {
+      return missing(this->ElevationArrayName, "1");
+    }
+    sent = in.SendGradients(window, heights) && sent;
+  }
+  if (this->HasLamps())
+  {
+    vtkDataArray* array = find(this->LampArrayName, 1, static_cast<int>(Lamps));
+    if (!array)
+    {
+      return missing(this->LampArrayName, "1 to 4");
+    }
+    sent = in.Send(in.LampLight, window, array, 0, array->GetNumberOfComponents(), false) && sent;
+  }
+  return sent ? std::string() : "OpenGL refuses the textures of the height field";
+}
+
+void vtkSoftShadowShader::ReplaceShaderValues(const std::map<vtkShader::Type, vtkShader*>& shaders)
+{
+  using skyline::ShaderPart;
+  vtkShader* vertex = shaders.at(vtkShader::Vertex);
+  AddAfter(vertex, "//VTK::PositionVC::Dec", ShaderPart(skyline_SoftShadowVS));
+  AddAfter(vertex, "//VTK::PositionVC::Impl", ShaderPart(skyline_SoftShadowVS, "Impl"));
+  vtkShader* geometry = shaders.at(vtkShader::Geometry);
+  AddAfter(geometry, "//VTK::PositionVC::Dec", ShaderPart(skyline_SoftShadowGS));
+  AddAfter(geometry, "//VTK::PositionVC::Impl", ShaderPart(skyline_SoftShadowGS, "Impl"));
+
+  const bool decodes = !this->LinearTextures;
+  std::string functions = Define("SKYLINE_COLOR(c)", decodes ? "c" : "SkylineDecode(c)") +
+    Define("SKYLINE_ALBEDO(c)", decodes ? "SkylineDecode(c)" : "c") + ShaderPart(skyline_Srgb);
+  std::string developed = "c";
+  if (this->ToneMapping)
+  {
+    functions += ToneDefines() + ShaderPart(skyline_ToneMap);
+    developed = "SkylineToneMap(c)";
+  }
+  if (!this->LinearFramebuffer)
+  {
+    developed = "SkylineEncode(" + developed + ")";
+  }
+  functions += Define("SKYLINE_DEVELOP(c)", developed);
+  functions += ShaderPart(this->Mode == IRRADIANCE ? skyline_Irradiance
+      : this->Mode == TRANSFER                     ? skyline_Transfer
+                                                   : skyline_Visibility);
+  std::string lamps;
+  if (this->HasLamps())
+  {
+    functions += ShaderPart(skyline_Lamps);
+    lamps = ShaderPart(skyline_Lamps, "Impl");
+  }
+  std::string declared = ShaderPart(skyline_SoftShadowFS);
+  vtkShaderProgram::Substitute(declared, "//Fill::Functions\n", functions);
+  std::string light = ShaderPart(skyline_SoftShadowFS, "Impl");
+  vtkShaderProgram::Substitute(light, "  //Fill::Lamps\n", lamps);
+  vtkShader* fragment = shaders.at(vtkShader::Fragment);
+  AddAfter(fragment, "//VTK::Color::Dec", declared);
+  AddAfter(fragment, "//VTK::Light::Impl", ShaderPart(skyline_SoftShadowFS, "Color"));
+  AddAfter(fragment, "//VTK::TCoord::Impl", light);
+}
+
+void vtkSoftShadowShader::Activate()
+{
+  for (skyline::PostTexture* texture : this->Inside->InUse)
+  {
+    texture->Activate();
+  }
+}
+
+void vtkSoftShadowShader::Deactivate()
+{
+  for (skyline::PostTexture* texture : this->Inside->InUse)
+  {
+    texture->Deactivate();
+  }
+}
+
+void vtkSoftShadowShader::SetUniforms(
+  vtkShaderProgram* program, vtkOpenGLVertexBufferObjectGroup* buffers)
+{
+  Internals& in = *this->Inside;
+  for (skyline::PostTexture* texture : in.InUse)
+  {
+    if (program->IsUniformUsed(texture->GetUniform().c_str()))
+    {
+      program->SetUniformi(texture->GetUniform().c_str(), texture->GetUnit());
+    }
+  }
+  // The buffer holds (position - shift) * scale.
+  vtkOpenGLVertexBufferObject* vertices = buffers->GetVBO("vertexMC");
+  const bool shifted = vertices && vertices->GetCoordShiftAndScaleEnabled() &&
+    vertices->GetShift().size() >= 3 && vertices->GetScale().size() >= 3;
+  const auto place = [&](const char* name, const std::array<double, 4>& row)
+  {
+    std::array<double, 4> adapted = row;
+    for (std::size_t k = 0; k < 3 && shifted; ++k)
+    {
+      adapted[3] += row[k] * vertices->GetShift()[k];
+      adapted[k] = row[k] / vertices->GetScale()[k];
+    }
+    const std::array<float, 4> numbers{ { static_cast<float>(adapted[0]),
+      static_cast<float>(adapted[1]), static_cast<float>(adapted[2]),
+      static_cast<float>(adapted[3]) } };
+    program->SetUniform4f(name, numbers.data());
+  };
+  place("skylineAcross", in.Across);
+  place("skylineUp", in.Up);
+  program->SetUniformf("skylineGain",
+    static_cast<float>(std::exp2(std::clamp(this->Exposure, -120.0, 120.0)) / skyline::Pi));
+  if (this->Mode != IRRADIANCE)
+  {
+    if (in.PackedLight.empty())
+    {
+      in.PackedLight =
+        this->Mode == TRANSFER ? PackTransferLight(in.Light) : PackVisibilityLight(in.Light);
+    }
+    program->SetUniform4fv(
+      "skylineLight", static_cast<int>(in.PackedLight.size() / 4), in.PackedLight.data());
+  }
+  if (this->HasLamps())
+  {
+    std::array<float, 3 * Lamps> radiance{};
+    for (std::size_t k = 0; k < radiance.size(); ++k)
+    {
+      radiance[k] = static_cast<float>(in.LampRadiance[k / 3][k % 3]);
+    }
+    program->SetUniform3fv("skylineLampRadiance", static_cast<int>(Lamps), radiance.data());
+  }
+}
+
+void vtkSoftShadowShader::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& in = *this->Inside;
+  in.InUse.clear();
+  in.Irradiance.Release(window);
+  in.Gradient.Release(window);
+  in.LampLight.Release(window);
+  for (skyline::PostTexture& texture : in.Harmonics)
+  {
+    texture.Release(window);
+  }
+}
+
+int vtkSoftShadowShader::GetNumberOfTextureUploads()
+{
+  return this->Inside->Uploads;
+}
+
+vtkMTimeType vtkSoftShadowShader::GetTextTime()
+{
+  return this->Inside->TextTime;
+}
+
+void vtkSoftShadowShader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mode: " << this->Mode << "\n";
+  os << indent << "HeightField: " << this->Inside->Image.GetPointer() << "\n";
+  os << indent << "IrradianceArrayName: " << this->IrradianceArrayName << "\n";
+  os << indent << "TransferArrayName: " << this->TransferArrayName << "\n";
+  os << indent << "VisibilityArrayName: " << this->VisibilityArrayName << "\n";
+  os << indent << "LampArrayName: " << this->LampArrayName << "\n";
+  os << indent << "ElevationArrayName: " << this->ElevationArrayName << "\n";
+  os << indent << "Exposure: " << this->Exposure << "\n";
+  os << indent << "ToneMapping: " << this->ToneMapping << "\n";
+  os << indent << "LinearTextures: " << this->LinearTextures << "\n";
+  os << indent << "LinearFramebuffer: " << this->LinearFramebuffer << "\n";
+  os << indent << "Uploads: " << this->Inside->Uploads << "\n";
+}
