@@ -16,7 +16,7 @@ struct LampSettings
 {
   Surface Shape = Surface::Triangles; ///< the surface through the posts
   double Sink = 0.0;        ///< (1 - k) / 2R in 1/m, as in HorizonSettings; the lamp sinks likewise
-  int Azimuths = 16;        ///< vertical planes laid through a lamp's disc to begin with, 2 or more
+  int Azimuths = 32;        ///< vertical planes laid through a lamp's disc to begin with, 2 or more
   double Tolerance = 0.002; ///< where a shadow's edge falls between planes, more of them are laid
                             ///< until the irradiance errs by about this part of the unshadowed
   double Least = 0.0;       ///< a lamp that could not give more than this irradiance for radiance 1
