@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeightFieldTransfer.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkHeightFieldTransfer);
+
+bool vtkHeightFieldTransfer::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+{
+  return this->Project(scene, output, "TransferSH", true);
+}

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeightFieldVisibility.h"
+
+#include "Azimuths.h"
+#include "HorizonScene.h"
+#include "KeyLight.h"
+#include "VisibilityAccumulator.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkHeightFieldVisibility);
+
+namespace
+{
+
+// Degrees clockwise from grid north.
+std::vector<double> AzimuthsInDegrees(double azimuth, double width, int count)
+{
+  std::vector<double> azimuths = skyline::EvenAzimuths(count); // checks the count
+  if (!std::isfinite(azimuth))
+  {
+    throw std::invalid_argument("the swath's azimuth is no number; give degrees");
+  }
+  if (!(width > 0.0 && width <= 360.0))
+  {
+    throw std::invalid_argument(
+      "the swath is " + std::to_string(width) + " degrees wide; give more than 0 and at most 360");
+  }
+  if (width < 360.0)
+  {
+    const skyline::Swath swath{ azimuth * skyline::RadiansPerDegree,
+      width * skyline::RadiansPerDegree };
+    azimuths = skyline::AzimuthsOf(swath, count);
+    for (double& value : azimuths)
+    {
+      value *= skyline::DegreesPerRadian;
+    }
+  }
+  return azimuths;
+}
+
+} // namespace
+
+void vtkHeightFieldVisibility::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfBands: " << this->NumberOfBands << "\n"
+     << indent << "NumberOfAzimuths: " << this->NumberOfAzimuths << "\n"
+     << indent << "SwathAzimuth: " << this->SwathAzimuth << "\n"
+     << indent << "SwathWidth: " << this->SwathWidth << "\n";
+}
+
+bool vtkHeightFieldVisibility::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+{
+  return this->Project(scene, output, "VisibilitySH", false);
+}
+
+bool vtkHeightFieldVisibility::Project(
+  skyline::HorizonScene& scene, vtkImageData* output, const char* name, bool withCosine)
+{
+  constexpr int least = 2;
+  if (this->NumberOfBands < least || this->NumberOfBands > skyline::MaxHarmonicBands)
+  {
+    throw std::invalid_argument(std::to_string(this->NumberOfBands) +
+      " bands of spherical harmonics; give " + std::to_string(least) + " to " +
+      std::to_string(skyline::MaxHarmonicBands));
+  }
+  const std::vector<double> azimuths =
+    AzimuthsInDegrees(this->SwathAzimuth, this->SwathWidth, this->NumberOfAzimuths);
+  const double width =
+    this->SwathWidth * skyline::RadiansPerDegree / static_cast<double>(azimuths.size());
+
+  std::vector<float> gradients;
+  const auto posts = static_cast<std::size_t>(output->GetNumberOfPoints());
+  if (withCosine)
+  {
+    gradients.resize(2 * posts);
+    scene.FillGradients(gradients.data(), gradients.data() + posts);
+  }
+  vtkFloatArray* array = scene.AddArray(output, name, skyline::HarmonicCount(this->NumberOfBands));
+  skyline::HarmonicBuffers buffers;
+  buffers.Columns = scene.Posts().Columns;
+  buffers.Rows = scene.Posts().Rows;
+  buffers.Bands = this->NumberOfBands;
+  buffers.Values = array->GetPointer(0);
+  skyline::VisibilityAccumulator sky(buffers, withCosine ? gradients.data() : nullptr,
+    withCosine ? gradients.data() + posts : nullptr);
+  if (!scene.Run(azimuths, width, sky))
+  {
+    return false;
+  }
+  scene.BlankMissing(array);
+  return true;
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeightFieldVisibility
+ * @brief   the sky that every post sees, as spherical harmonics
+ *
+ * Adds the float array `VisibilitySH`: the coefficients of the function that is 1 where the sky shows
+ * above max(horizon, 0), bands^2 components (16 by default); real orthonormal harmonics without
+ * Condon-Shortley phase, index l * l + l + m, x east, y north, z up. Projected in closed form, azimuth
+ * by azimuth (Snyder & Nowrouzezahrai 2008, section 5, without their tables); no horizon is stored.
+ *
+ * A swath leaves all but a part of the azimuths out, for a light that stands in that part alone:
+ * fewer horizons, sharper shadows.
+ */
+#ifndef vtkHeightFieldVisibility_h
+#define vtkHeightFieldVisibility_h
+
+#include "vtkHeightFieldAlgorithm.h"
+
+class SKYLINEFILTERS_EXPORT vtkHeightFieldVisibility : public vtkHeightFieldAlgorithm
+{
+public:
+  static vtkHeightFieldVisibility* New();
+  vtkTypeMacro(vtkHeightFieldVisibility, vtkHeightFieldAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Bands, the order of the harmonics; default 4, 2 to 8.
+  vtkSetMacro(NumberOfBands, int);
+  vtkGetMacro(NumberOfBands, int);
+  ///@}
+
+  ///@{
+  /// Azimuths in the swath; default 32, 1 to 3600. SN08 take 16 to 32 around, 3 in a key light's.
+  vtkSetMacro(NumberOfAzimuths, int);
+  vtkGetMacro(NumberOfAzimuths, int);
+  ///@}
+
+  ///@{
+  /// Middle of the swath, degrees clockwise from grid north; default 0. Of no account for a circle,
+  /// whose first azimuth is north.
+  vtkSetMacro(SwathAzimuth, double);
+  vtkGetMacro(SwathAzimuth, double);
+  ///@}
+
+  ///@{
+  /// Width of the swath, degrees, above 0 up to 360; default 360, the circle.
+  vtkSetMacro(SwathWidth, double);
+  vtkGetMacro(SwathWidth, double);
+  ///@}
+
+protected:
+  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+
+  /// Feeds the sky of all posts, times their cosine or not, to an array of the name.
+  bool Project(
+    skyline::HorizonScene& scene, vtkImageData* output, const char* name, bool withCosine);
+
+  int NumberOfBands = 4;
+  int NumberOfAzimuths = 32;
+  double SwathAzimuth = 0.0;
+  double SwathWidth = 360.0;
+};
+
+#endif

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "KeyLight.h"
+
+#include "Constants.h"
+#include "ElevationIntegral.h"
+#include "VisibilityWedge.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace skyline
+{
+
+namespace
+{
+
+constexpr double Circle = 2.0 * Pi;
+
+/// The angle brought into [0, 2 pi).
+double Turned(double angle)
+{
+  const double turned = std::fmod(angle, Circle);
+  return turned < 0.0 ? turned + Circle : turned;
+}
+
+struct Span
+{
+  double Begin, End; // radians, End at most a circle after Begin
+  std::vector<std::size_t> Lights;
+};
+
+Swath SwathBetween(double begin, double end)
+{
+  return { Turned(0.5 * (begin + end)), std::min(end - begin, Circle) };
+}
+
+/// The transfer vector of a receiver with a normal that sees a whole swath of sky.
+std::vector<double> OpenTransfer(const Swath& swath, int bands, const double normal[3])
+{
+  constexpr int parts = 256; // midpoints; the integrand has one kink at most
+  const auto upward = ElevationIntegrals(bands, ElevationWeight::Upward);
+  const auto forward = ElevationIntegrals(bands, ElevationWeight::Forward);
+  std::vector<double> transfer(static_cast<std::size_t>(HarmonicCount(bands)), 0.0);
+  for (const double azimuth : AzimuthsOf(swath, parts))
+  {
+    const double ahead = normal[0] * std::sin(azimuth) + normal[1] * std::cos(azimuth);
+    const double low = std::max(0.0, std::atan2(-ahead, normal[2]));
+    std::size_t index = 0;
+    for (int m = 0; m < bands; ++m)
+    {
+      const SwathMean mean = MeanOverSwath(m, azimuth, swath.Width / parts);
+      for (int l = m; l < bands; ++l, ++index)
+      {
+        const double value = swath.Width / parts *
+          (normal[2] * (upward[index].Whole - upward[index].Lost(low)) +
+            ahead * (forward[index].Whole - forward[index].Lost(low)));
+        transfer[static_cast<std::size_t>(HarmonicIndex(l, m))] += value * mean.Cosine;
+        if (m > 0)
+        {
+          transfer[static_cast<std::size_t>(HarmonicIndex(l, -m))] += value * mean.Sine;
+        }
+      }
+    }
+  }
+  return transfer;
+}
+
+} // namespace
+
+bool Swath::IsCircle() const
+{
+  return this->Width >= Circle * (1.0 - 1.0e-12);
+}
+
+bool Swath::Holds(double azimuth) const
+{
+  return std::abs(std::remainder(azimuth - this->Azimuth, Circle)) <= 0.5 * this->Width + 1.0e-12;
+}
+
+Swath SwathOf(const KeyLight& light)
+{
+  const double sine = std::sin(light.Radius);
+  const double cosine = std::cos(light.Elevation);
+  if (light.Elevation + light.Radius >= 0.5 * Pi || sine >= cosine)
+  {
+    return { Turned(light.Azimuth), Circle };
+  }
+  return { Turned(light.Azimuth), std::max(LeastSwath, 2.0 * std::asin(sine / cosine)) };
+}
+
+std::vector<double> AzimuthsOf(const Swath& swath, int count)
+{
+  std::vector<double> azimuths(static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k)
+  {
+    azimuths[static_cast<std::size_t>(k)] = swath.Azimuth + ((k + 0.5) / count - 0.5) * swath.Width;
+  }
+  return azimuths;
+}
+
+std::vector<SharedSwath> ShareSwaths(const std::vector<KeyLight>& lights)
+{
+  std::vector<Span> spans;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    const Swath swath = SwathOf(lights[i]);
+    const double begin = Turned(swath.Azimuth - 0.5 * swath.Width);
+    spans.push_back({ begin, begin + swath.Width, { i } });
+  }
+  std::sort(
+    spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.Begin < b.Begin; });
+  std::vector<Span> joined;
+  const auto join = [](Span& into, const Span& from, double turn)
+  {
+    into.End = std::max(into.End, from.End + turn);
+    into.Lights.insert(into.Lights.end(), from.Lights.begin(), from.Lights.end());
+  };
+  for (const Span& span : spans)
+  {
+    if (!joined.empty() && span.Begin <= joined.back().End)
+    {
+      join(joined.back(), span, 0.0);
+    }
+    else
+    {
+      joined.push_back(span);
+    }
+  }
+  // The last ones may reach across north, onto the first.
+  while (joined.size() > 1 && joined.back().End - Circle >= joined.front().Begin)
+  {
+    join(joined.back(), joined.front(), Circle);
+    joined.erase(joined.begin());
+  }
+  std::vector<SharedSwath> shared;
+  for (Span& span : joined)
+  {
+    std::sort(span.Lights.begin(), span.Lights.end());
+    shared.push_back({ SwathBetween(span.Begin, span.End), span.Lights });
+  }
+  return shared;
+}
+
+double FacingIrradiance(const KeyLight& light)
+{
+  const double sine = std::sin(light.Radius);
+  if (light.Elevation >= light.Radius)
+  {
+    return Pi * sine * sine;
+  }
+  // Rings about the light: at the angle r the horizontal plane leaves the part of the ring whose
+  // height sin e cos r + cos e sin r cos t is above 0.
+  constexpr int rings = 20000;
+  const double step = light.Radius / rings;
+  double sum = 0.0;
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    const double r = (ring + 0.5) * step;
+    const double across = std::cos(light.Elevation) * std::sin(r);
+    const double limit = -std::sin(light.Elevation) * std::cos(r);
+    const double visible =
+      across <= 0.0 ? (limit < 0.0 ? Pi : 0.0) : std::acos(std::clamp(limit / across, -1.0, 1.0));
+    sum += 2.0 * visible * std::cos(r) * std::sin(r) * step;
+  }
+  return sum;
+}
+
+void KeyLightHarmonics(const KeyLight& light, const Swath& swath, int bands, double* coefficients)
+{
+  double zonal[MaxHarmonicBands];
+  for (int l = 0; l < bands; ++l)
+  {
+    zonal[l] = CapZonal(l, std::cos(light.Radius));
+  }
+  const double cosine = std::cos(light.Elevation);
+  const double toward[3] = { std::sin(light.Azimuth) * cosine, std::cos(light.Azimuth) * cosine,
+    std::sin(light.Elevation) };
+  RotateZonal(bands, zonal, toward[0], toward[1], toward[2], coefficients);
+  const std::vector<double> open = OpenTransfer(swath, bands, toward);
+  double found = 0.0;
+  for (std::size_t k = 0; k < open.size(); ++k)
+  {
+    found += open[k] * coefficients[k];
+  }
+  // Nothing of the light stands in the swath, or it has no size: no light.
+  const double scale = found > 0.0 ? FacingIrradiance(light) / found : 0.0;
+  for (std::size_t k = 0; k < open.size(); ++k)
+  {
+    coefficients[k] *= scale;
+  }
+}
+
+} // namespace skyline
