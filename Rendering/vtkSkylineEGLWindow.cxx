@@ -10,6 +10,8 @@
 #include "vtk_glew.h"
 #endif
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkSkylineEGLWindow);
 
 vtkSkylineEGLWindow::vtkSkylineEGLWindow()
@@ -145,6 +147,17 @@ int vtkSkylineEGLWindow::SupportsOpenGL()
 vtkTypeBool vtkSkylineEGLWindow::IsDirect()
 {
   return 1;
+}
+
+// The default framebuffer, which VTK asks, has no bits here; VTK's own ones have these.
+int vtkSkylineEGLWindow::GetColorBufferSizes(int* rgba)
+{
+  if (rgba == nullptr)
+  {
+    return 0;
+  }
+  std::fill_n(rgba, 4, 8);
+  return 32;
 }
 
 void vtkSkylineEGLWindow::ReleaseCurrent()

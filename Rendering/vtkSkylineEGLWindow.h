@@ -65,6 +65,7 @@ public:
   bool IsCurrent() override;
   int SupportsOpenGL() override;
   vtkTypeBool IsDirect() override;
+  int GetColorBufferSizes(int* rgba) override;
   void ReleaseCurrent();
   ///@}
 

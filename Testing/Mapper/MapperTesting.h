@@ -121,10 +121,10 @@ public:
 
   ~MapScene() { this->Window->Finalize(); }
 
-  vtkActor* Add(vtkAbstractMapper3D* mapper)
+  vtkSmartPointer<vtkActor> Add(vtkMapper* mapper)
   {
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(vtkMapper::SafeDownCast(mapper));
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
     this->Renderer->AddActor(actor);
     return actor;
   }

@@ -67,7 +67,7 @@ TEST_F(SoftShadowLight, FlatGroundShowsAlbedoTimesIrradianceOverPi)
     });
   MapScene scene(flat);
   const auto mapper = MapperOf(flat);
-  vtkActor* actor = scene.Add(mapper);
+  const auto actor = scene.Add(mapper);
   for (double code : { 1.0, 0.6, 0.2, 0.01 })
   {
     actor->GetProperty()->SetColor(code, 0.5, 1.0);
