@@ -4,6 +4,7 @@
 // it over 1440 azimuths. What that leaves is the midpoint rule's error, largest where the horizon has
 // a kink or falls within a quarter of a degree: see the bounds.
 #include "HorizonTesting.h"
+#include "LampIrradiance.h"
 #include "SkyAccumulator.h"
 #include "SunDisc.h"
 
@@ -27,6 +28,7 @@ namespace
 constexpr int AzimuthCount = 1440;
 constexpr double QuadratureBound = 2.0e-4; // of a factor between 0 and 1
 constexpr double AngleBound = 1.0e-5;      // degrees: float elevations
+constexpr double LampBound = 1.0e-6;       // of an irradiance below 1: float gradients and results
 
 struct Row
 {
@@ -319,7 +321,21 @@ TEST_P(ClosedForm, Holds)
   }
   else if (Has(row.Case, "spherical light"))
   {
-    GTEST_SKIP() << "lamps: no kernel for spherical lights yet";
+    // A post of a plain tilted by the angle between the normal and the lamp, 1 m from the lamp: all
+    // of the lamp stands above the post's plane.
+    const double radius = p[0] * RadiansPerDegree;
+    const double tilt = p[1] * RadiansPerDegree;
+    const oracle::OracleField field = shapes::Plane(5, 5, 10.0, std::tan(tilt), 0.0);
+    const HeightField posts = FieldOf(field);
+    const std::vector<float> east(25, static_cast<float>(std::tan(tilt))), north(25, 0.0f);
+    Lamp lamp;
+    lamp.X = lamp.Y = 20.0;
+    lamp.Z = field.At(2, 2) - BaseOf(field) + 1.0;
+    lamp.Radius = std::sin(radius);
+    std::vector<float> rgb(75, 0.0f);
+    AddLampIrradiance(LampTerrain(posts), GridOf(field), east.data(), north.data(), lamp,
+      LampSettings(), 0, 5, rgb.data());
+    EXPECT_NEAR(rgb[3 * 12], row.Value, LampBound);
   }
   else
   {
