@@ -32,6 +32,34 @@ void SegmentBounds::Resize(std::ptrdiff_t lines, std::ptrdiff_t stride, std::ptr
   }
 }
 
+void SegmentHoles::Resize(const MissingMap& posts)
+{
+  this->Runs = posts.Runs;
+  const std::ptrdiff_t segments = posts.Lines / SegmentBounds::Lines + 1;
+  this->Missing.assign(static_cast<std::size_t>(segments * posts.Runs), 0);
+}
+
+void SegmentHoles::Build(const RayFrame& frame, const MissingMap& posts, std::ptrdiff_t group)
+{
+  constexpr std::ptrdiff_t lines = SegmentBounds::Lines;
+  const std::ptrdiff_t begin = group * SegmentBounds::PerGroup;
+  const std::ptrdiff_t end = std::min(begin + SegmentBounds::PerGroup, posts.Lines / lines + 1);
+  for (std::ptrdiff_t segment = this->Empty() ? end : begin; segment < end; ++segment)
+  {
+    std::uint8_t* runs = this->Missing.data() + segment * this->Runs;
+    const std::ptrdiff_t last = std::min((segment + 1) * lines, posts.Lines - 1);
+    for (std::ptrdiff_t line = std::max<std::ptrdiff_t>(segment * lines - 1, 0); line <= last;
+         ++line)
+    {
+      const std::uint8_t* missing = posts.Line(frame.ImageLine(line));
+      for (std::ptrdiff_t run = 0; run < this->Runs; ++run)
+      {
+        runs[run] |= missing[run];
+      }
+    }
+  }
+}
+
 void ExactState::Set(const RayFrame& frame, bool corners, double tolerance, float largestHeight)
 {
   this->Frame = &frame;

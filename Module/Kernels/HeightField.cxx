@@ -8,6 +8,29 @@
 namespace skyline
 {
 
+namespace
+{
+
+MissingMap MapMissing(const PaddedPlane& plane)
+{
+  MissingMap map;
+  map.Lines = plane.Lines;
+  map.Runs = (plane.Lanes + MissingMap::RunLanes - 1) / MissingMap::RunLanes;
+  map.Missing.assign(static_cast<std::size_t>(map.Lines * map.Runs), 0);
+  for (std::ptrdiff_t line = 0; line < plane.Lines; ++line)
+  {
+    const float* heights = plane.Line(line);
+    std::uint8_t* runs = map.Missing.data() + line * map.Runs;
+    for (std::ptrdiff_t lane = 0; lane < plane.Lanes; ++lane)
+    {
+      runs[lane / MissingMap::RunLanes] |= heights[lane] <= 0.5f * MissingHeight ? 1 : 0;
+    }
+  }
+  return map;
+}
+
+} // namespace
+
 HeightField::HeightField(const Grid& grid)
   : Lattice(grid)
 {
@@ -39,6 +62,7 @@ void HeightField::Close()
   this->LonelyInColumns.clear();
   this->Largest = 0.0f;
   this->Missing = false;
+  this->MissingInRows = MissingMap();
   for (std::ptrdiff_t row = 0; row < this->Lattice.Rows; ++row)
   {
     const float* line = this->Rows.Line(row);
@@ -76,6 +100,7 @@ void HeightField::Close()
   {
     this->Rows.Line(post.Line)[post.Lane] = MissingHeight;
   }
+  this->MissingInRows = MapMissing(this->Rows);
   std::stable_sort(this->LonelyInColumns.begin(), this->LonelyInColumns.end(),
     [](const LonelyPost& a, const LonelyPost& b) { return a.Line < b.Line; });
 }
@@ -118,6 +143,10 @@ void HeightField::Transpose()
         line[r] = this->Rows.Line(r)[column];
       }
     }
+  }
+  if (this->Missing)
+  {
+    this->MissingInColumns = MapMissing(this->Columns);
   }
 }
 

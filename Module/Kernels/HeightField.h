@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace skyline
@@ -45,6 +46,21 @@ public:
 
 private:
   std::vector<float> Values;
+};
+
+/// Where a plane has missing posts: a byte for every run of lanes of a line, not 0 if one is missing.
+struct MissingMap
+{
+  static constexpr std::ptrdiff_t RunLanes = 32;
+
+  std::ptrdiff_t Lines = 0; ///< of posts; 0 if none of the field is missing
+  std::ptrdiff_t Runs = 0;  ///< in a line
+  std::vector<std::uint8_t> Missing;
+
+  const std::uint8_t* Line(std::ptrdiff_t line) const
+  {
+    return this->Missing.data() + line * this->Runs;
+  }
 };
 
 /// The surface's posts. Heights are metres above Base(), which keeps the differences of heights of
@@ -85,6 +101,12 @@ public:
   const PaddedPlane& RowPlane() const { return this->Rows; }
   const PaddedPlane& ColumnPlane() const { return this->Columns; }
 
+  /// Of the row plane, or after Transpose of the column plane; lonely posts count as missing.
+  const MissingMap& MissingPosts(bool columns) const
+  {
+    return columns ? this->MissingInColumns : this->MissingInRows;
+  }
+
   /// The heights of the receivers of a line (a row, or a column if `columns`): the plane's own line,
   /// or `buffer` (as many floats as the line has posts) if the line holds posts that receive but,
   /// outside every complete cell, do not occlude. Missing posts stay at MissingHeight.
@@ -102,6 +124,7 @@ private:
   Grid Lattice;
   PaddedPlane Rows, Columns;
   std::vector<LonelyPost> LonelyInRows, LonelyInColumns; // sorted by line
+  MissingMap MissingInRows, MissingInColumns;
   float Largest = 0.0f;
   bool Missing = false;
 };

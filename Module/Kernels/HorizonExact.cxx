@@ -141,8 +141,9 @@ struct BlockTest
   Block Threshold = Same(0.0f);
 };
 
-/// The search for the horizons of one block of receivers on one line.
-template <Walk Kind>
+/// The search for the horizons of one block of receivers on one line. Holed: walks beside missing
+/// posts go cell by cell, the others as if the field were whole.
+template <Walk Kind, Body Shape, bool Holed>
 struct BlockSearch
 {
   static constexpr std::ptrdiff_t Lines = SegmentBounds::Lines;
@@ -167,8 +168,7 @@ struct BlockSearch
   {
     const std::ptrdiff_t first = (this->Line + ExactState::NearLines + Lines - 1) / Lines;
     const std::ptrdiff_t near = std::min(first * Lines - this->Line, this->Last);
-    this->Best =
-      WalkSteps<Kind>(*this->State.Frame, this->Origin, this->Heights, this->Best, 1, near);
+    this->Best = this->WalkLines(this->Line / Lines, 1, near);
     if (near == this->Last)
     {
       return this->Best;
@@ -176,7 +176,7 @@ struct BlockSearch
     const std::ptrdiff_t last = (this->Line + this->Last - 1) / Lines;
     for (const std::int32_t hint : hints.Segments)
     {
-      if (hint >= first && hint <= last)
+      if (hint >= first && hint <= last && this->WorthWalking(hint))
       {
         this->WalkSegment(hint);
       }
@@ -202,11 +202,49 @@ private:
     return static_cast<std::ptrdiff_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
   }
 
+  /// The best slopes after steps first .. last, whose lines begin in `segment`.
+  HWY_INLINE Block WalkLines(std::ptrdiff_t segment, std::ptrdiff_t first, std::ptrdiff_t last)
+  {
+    const RayFrame& frame = *this->State.Frame;
+    if (Holed && this->MissingBeside(segment, first, last))
+    {
+      return WalkSteps<Walk::Holes, Body::Curved>(
+        frame, this->Origin, this->Heights, this->Best, first, last);
+    }
+    return WalkSteps<Kind, Shape>(frame, this->Origin, this->Heights, this->Best, first, last);
+  }
+
+  HWY_INLINE bool MissingBeside(
+    std::ptrdiff_t segment, std::ptrdiff_t first, std::ptrdiff_t last) const
+  {
+    const std::ptrdiff_t begin = this->Lane + this->State.Frame->Steps[first - 1].Lane;
+    const std::ptrdiff_t end = this->Lane + this->State.Frame->Steps[last].Lane;
+    constexpr std::ptrdiff_t reach = 2; // lanes beside the trail posts that a step reads
+    const std::ptrdiff_t lastSegment = (this->Line + last - 1) / Lines;
+    bool missing = false;
+    for (; segment <= lastSegment; ++segment)
+    {
+      missing |= this->State.Holes.Any(
+        segment, std::min(begin, end) - reach, std::max(begin, end) + BlockWidth() + reach);
+    }
+    return missing;
+  }
+
+  /// The hints of an exact search nearly always win; with a tolerance they often gain too little.
+  HWY_INLINE bool WorthWalking(std::ptrdiff_t hint)
+  {
+    if (!(this->State.TolerancePerLine > 0.0f))
+    {
+      return true;
+    }
+    this->Test.Update(this->Best, static_cast<float>(Lines));
+    return this->SegmentMayGain(hint);
+  }
+
   HWY_INLINE void WalkSegment(std::ptrdiff_t segment)
   {
     const std::ptrdiff_t from = segment * Lines - this->Line;
-    const Block raised = WalkSteps<Kind>(*this->State.Frame, this->Origin, this->Heights,
-      this->Best, from + 1, std::min(from + Lines, this->Last));
+    const Block raised = this->WalkLines(segment, from + 1, std::min(from + Lines, this->Last));
     if (AnyGreater(raised, this->Best))
     {
       this->Best = raised;
@@ -280,7 +318,7 @@ private:
   SegmentHints Found;
 };
 
-template <Walk Kind>
+template <Walk Kind, Body Shape, bool Holed>
 void FindLanes(const ExactState& state, const FindTask& task)
 {
   const std::ptrdiff_t width = BlockWidth();
@@ -294,7 +332,7 @@ void FindLanes(const ExactState& state, const FindTask& task)
     for (std::ptrdiff_t line = task.LineEnd - 1; line >= task.LineBegin; --line)
     {
       const Block heights = Load(task.Receivers[line - task.LineBegin] + lane);
-      BlockSearch<Kind> search(
+      BlockSearch<Kind, Shape, Holed> search(
         state, line, lane, std::min(frame.Lines - 1 - line, leaves), heights);
       const Block best = search.Run(hints);
       StoreSlopes(best, state.LinesPerMetre,
@@ -303,21 +341,33 @@ void FindLanes(const ExactState& state, const FindTask& task)
   }
 }
 
+template <Walk Kind>
+void FindTriangles(const ExactState& state, const FindTask& task)
+{
+  const bool holed = !state.Holes.Empty();
+  if (state.Frame->SinkPerLine2 == 0.0f)
+  {
+    holed ? FindLanes<Kind, Body::Flat, true>(state, task)
+          : FindLanes<Kind, Body::Flat, false>(state, task);
+  }
+  else
+  {
+    holed ? FindLanes<Kind, Body::Curved, true>(state, task)
+          : FindLanes<Kind, Body::Curved, false>(state, task);
+  }
+}
+
 void FindAlong(const ExactState& state, const FindTask& task)
 {
-  FindLanes<Walk::Along>(state, task);
+  FindTriangles<Walk::Along>(state, task);
 }
 void FindAgainst(const ExactState& state, const FindTask& task)
 {
-  FindLanes<Walk::Against>(state, task);
-}
-void FindHoles(const ExactState& state, const FindTask& task)
-{
-  FindLanes<Walk::Holes>(state, task);
+  FindTriangles<Walk::Against>(state, task);
 }
 void FindBilinear(const ExactState& state, const FindTask& task)
 {
-  FindLanes<Walk::Bilinear>(state, task);
+  FindLanes<Walk::Bilinear, Body::Curved, false>(state, task);
 }
 
 } // namespace HWY_NAMESPACE
@@ -331,7 +381,6 @@ namespace skyline
 HWY_EXPORT(BuildBounds);
 HWY_EXPORT(FindAlong);
 HWY_EXPORT(FindAgainst);
-HWY_EXPORT(FindHoles);
 HWY_EXPORT(FindBilinear);
 
 HorizonExact::HorizonExact(const HeightField& field, const HorizonSettings& settings)
@@ -346,6 +395,7 @@ void HorizonExact::SetAzimuth(const Grid& grid, double azimuth)
   const bool corners =
     this->Ray->Against || this->Field.HasMissing() || this->Settings.Shape == Surface::Bilinear;
   this->State.Set(*this->Ray, corners, this->Settings.Tolerance, this->Field.LargestHeight());
+  this->State.Holes.Resize(this->Field.MissingPosts(this->Ray->Columns));
 }
 
 std::ptrdiff_t HorizonExact::PrepareCount() const
@@ -358,6 +408,7 @@ void HorizonExact::Prepare(std::ptrdiff_t begin, std::ptrdiff_t end)
   for (std::ptrdiff_t group = begin; group < end; ++group)
   {
     HWY_DYNAMIC_DISPATCH(BuildBounds)(this->State, group);
+    this->State.Holes.Build(*this->Ray, this->Field.MissingPosts(this->Ray->Columns), group);
   }
 }
 
@@ -369,10 +420,6 @@ void HorizonExact::Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd, std::p
   if (this->Settings.Shape == Surface::Bilinear)
   {
     HWY_DYNAMIC_DISPATCH(FindBilinear)(this->State, task);
-  }
-  else if (this->Field.HasMissing())
-  {
-    HWY_DYNAMIC_DISPATCH(FindHoles)(this->State, task);
   }
   else if (this->Ray->Against)
   {

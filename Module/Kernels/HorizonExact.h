@@ -5,6 +5,7 @@
 
 #include "HorizonMethod.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -60,6 +61,36 @@ struct SegmentReach
   std::ptrdiff_t First, Last;
 };
 
+/// Which segments hold missing posts, by runs of lanes; empty for a field without any.
+class SegmentHoles
+{
+public:
+  void Resize(const MissingMap& posts);
+  bool Empty() const { return this->Missing.empty(); }
+
+  /// The flags of the segments of a group.
+  void Build(const RayFrame& frame, const MissingMap& posts, std::ptrdiff_t group);
+
+  /// True if a post may be missing in lanes begin .. end of the segment or on the line before it,
+  /// whose cells share the segment's first edges. Lanes outside the data hold none.
+  bool Any(std::ptrdiff_t segment, std::ptrdiff_t begin, std::ptrdiff_t end) const
+  {
+    const std::uint8_t* runs = this->Missing.data() + segment * this->Runs;
+    const std::ptrdiff_t last = std::min(end / MissingMap::RunLanes, this->Runs - 1);
+    bool any = false;
+    for (std::ptrdiff_t run = std::max<std::ptrdiff_t>(begin, 0) / MissingMap::RunLanes;
+         run <= last; ++run)
+    {
+      any |= runs[run] != 0;
+    }
+    return any;
+  }
+
+private:
+  std::ptrdiff_t Runs = 0;
+  std::vector<std::uint8_t> Missing;
+};
+
 /// The segments that won for a block of receivers, which the next line tries first.
 struct SegmentHints
 {
@@ -92,6 +123,7 @@ struct ExactState
 
   const RayFrame* Frame = nullptr;
   SegmentBounds Bounds;
+  SegmentHoles Holes;
   std::array<SegmentReach, SegmentBounds::Lines + 1> Reach{};
   float Support = 0.0f, SupportInverse = 0.0f; ///< metres per line of the tilted support
   float TolerancePerLine = 0.0f;

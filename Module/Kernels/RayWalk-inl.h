@@ -89,11 +89,24 @@ enum class Walk
   Bilinear ///< bilinear patches, with or without missing posts
 };
 
+/// Whether posts sink with their distance. Loads bound the walk, and on a flat body there are two
+/// fewer a step to broadcast.
+enum class Body
+{
+  Flat,
+  Curved
+};
+
 /// The slope at which the rays meet the edge between posts a and b.
+template <Body Shape = Body::Curved>
 HWY_INLINE Block Edge(float weightA, const Block& a, float weightB, const Block& b, float sink)
 {
   const Vector wa = hn::Set(Lanes(), weightA);
   const Vector wb = hn::Set(Lanes(), weightB);
+  if constexpr (Shape == Body::Flat)
+  {
+    return Each([&](Vector x, Vector y) { return hn::MulAdd(wb, y, hn::Mul(wa, x)); }, a, b);
+  }
   const Vector s = hn::Set(Lanes(), sink);
   return Each([&](Vector x, Vector y) { return hn::MulAdd(wb, y, hn::MulSub(wa, x, s)); }, a, b);
 }
@@ -166,7 +179,7 @@ HWY_INLINE Block Mix(const Block& a, const Block& b, double part)
 
 /// Raises `best` (metres per line) to the greatest slope that the rays meet in steps first .. last.
 /// origin: post of the first receiver; heights: the receivers' own.
-template <Walk Kind>
+template <Walk Kind, Body Shape>
 HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT origin,
   const Block& heights, Block best, std::ptrdiff_t first, std::ptrdiff_t last)
 {
@@ -178,6 +191,18 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
   Block trailBefore = Sub(Load(before), heights);
   Block leadBefore = Sub(Load(before + drift), heights);
   const float* line = origin + first * frame.LineStride;
+  if (Kind == Walk::Along && first == 1)
+  {
+    // The diagonal of the first step starts at the receiver, which is no horizon.
+    const RayStep& step = steps[1];
+    before = line + step.Lane;
+    trailBefore = Sub(Load(before), heights);
+    leadBefore = Sub(Load(before + drift), heights);
+    best =
+      Max(best, Edge<Shape>(step.RowTrail, trailBefore, step.RowLead, leadBefore, step.RowSink));
+    line += frame.LineStride;
+    ++first;
+  }
   for (std::ptrdiff_t d = first; d <= last; ++d, line += frame.LineStride)
   {
     const RayStep& step = steps[d];
@@ -187,16 +212,16 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
     // The edges of a step are joined first: only one maximum waits for the step before.
     if constexpr (Kind == Walk::Along)
     {
-      const Block row = Edge(step.RowTrail, trail, step.RowLead, lead, step.RowSink);
+      const Block row = Edge<Shape>(step.RowTrail, trail, step.RowLead, lead, step.RowSink);
       const Block middle = step.Next != 0
-        ? Edge(step.MidNear, leadBefore, step.MidFar, trail, step.MidSink)
-        : Edge(step.MidNear, trailBefore, step.MidFar, lead, step.MidSink);
+        ? Edge<Shape>(step.MidNear, leadBefore, step.MidFar, trail, step.MidSink)
+        : Edge<Shape>(step.MidNear, trailBefore, step.MidFar, lead, step.MidSink);
       best = Max(best, Max(row, middle));
     }
     else if constexpr (Kind == Walk::Against)
     {
-      const Block row = Edge(step.RowTrail, trail, step.RowLead, lead, step.RowSink);
-      const Block middle = Edge(step.MidNear, leadBefore, step.MidFar, trail, step.MidSink);
+      const Block row = Edge<Shape>(step.RowTrail, trail, step.RowLead, lead, step.RowSink);
+      const Block middle = Edge<Shape>(step.MidNear, leadBefore, step.MidFar, trail, step.MidSink);
       best = Max(best, Max(row, middle));
       if (step.Next != 0)
       {
@@ -204,8 +229,8 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
         const Block left = Sub(Load(post - drift), heights);
         const Block right = Sub(Load(before + 2 * drift), heights);
         best = Max(best,
-          Max(Edge(side.LeftNear, leadBefore, side.LeftFar, left, side.LeftSink),
-            Edge(side.RightNear, right, side.RightFar, trail, side.RightSink)));
+          Max(Edge<Shape>(side.LeftNear, leadBefore, side.LeftFar, left, side.LeftSink),
+            Edge<Shape>(side.RightNear, right, side.RightFar, trail, side.RightSink)));
       }
     }
     else
