@@ -170,6 +170,138 @@ inline OracleField EggTray(
     { return amplitude * std::sin(2.0 * Pi * x / wave) * std::sin(2.0 * Pi * y / wave); });
 }
 
+/// A cone of the given height and foot radius (metres) on level ground, about a place given in posts.
+inline void AddCone(OracleField& field, double column, double row, double radius, double height)
+{
+  for (std::ptrdiff_t j = 0; j < field.Rows; ++j)
+  {
+    for (std::ptrdiff_t i = 0; i < field.Columns; ++i)
+    {
+      const double d = std::hypot((static_cast<double>(i) - column) * field.SpacingX,
+        (static_cast<double>(j) - row) * field.SpacingY);
+      field.At(i, j) = std::max(field.At(i, j), height * (1.0 - d / radius));
+    }
+  }
+}
+
+/// One cone in the middle of level ground.
+inline OracleField Cone(
+  std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double radius, double height)
+{
+  OracleField field(columns, rows, spacing, spacing);
+  AddCone(field, 0.5 * static_cast<double>(columns - 1), 0.5 * static_cast<double>(rows - 1),
+    radius, height);
+  return field;
+}
+
+/// Cones, version 1: nine alike, three by three.
+inline OracleField ConesInRows(
+  std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double radius, double height)
+{
+  OracleField field(columns, rows, spacing, spacing);
+  for (int k = 0; k < 9; ++k)
+  {
+    AddCone(field, static_cast<double>(columns) * (1 + k % 3) / 4.0,
+      static_cast<double>(rows) * (1 + k / 3) / 4.0, radius, height);
+  }
+  return field;
+}
+
+/// Cones, version 2: eight of growing size on a circle about the middle, a third of the field's width
+/// in radius; the largest has the given foot radius and height.
+inline OracleField ConesOnCircle(
+  std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double radius, double height)
+{
+  OracleField field(columns, rows, spacing, spacing);
+  for (int k = 0; k < 8; ++k)
+  {
+    const double turn = 2.0 * Pi * (k + 0.3) / 8.0;
+    const double size = (k + 3) / 10.0;
+    AddCone(field, static_cast<double>(columns) * (0.5 + std::sin(turn) / 3.0),
+      static_cast<double>(rows) * (0.5 + std::cos(turn) / 3.0), size * radius, size * height);
+  }
+  return field;
+}
+
+/// z = amplitude sin(2 pi x / wave + phase): a grating along the columns; a moving phase makes waves.
+inline OracleField SineGrating(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
+  double amplitude, double wave, double phase = 0.0)
+{
+  return FromFunction(columns, rows, spacing, spacing, 0, 0,
+    [=](double x, double) { return amplitude * std::sin(2.0 * Pi * x / wave + phase); });
+}
+
+/// A city: blocks of 'block' posts between streets of 'street' posts, each a house of 0.2 to 1 times
+/// the height.
+inline OracleField City(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
+  std::ptrdiff_t block, std::ptrdiff_t street, double height, std::uint64_t seed = 1)
+{
+  OracleField field(columns, rows, spacing, spacing);
+  const std::ptrdiff_t period = block + street;
+  for (std::ptrdiff_t j = 0; j < rows; ++j)
+  {
+    for (std::ptrdiff_t i = 0; i < columns; ++i)
+    {
+      if (i % period >= street && j % period >= street)
+      {
+        Random house(seed + static_cast<std::uint64_t>(i / period + 4096 * (j / period)));
+        field.At(i, j) = height * (0.2 + 0.8 * house());
+      }
+    }
+  }
+  return field;
+}
+
+/// A teddy-like relief: half ellipsoids for body, head, ears, snout, arms and legs on a plane.
+inline OracleField Teddy(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double height)
+{
+  struct Part
+  {
+    double X, Y, Width, Length, Height; // of the field's width, and of the height
+  };
+  const Part parts[] = { { 0.5, 0.38, 0.19, 0.23, 0.8 }, { 0.5, 0.69, 0.15, 0.14, 0.9 },
+    { 0.37, 0.82, 0.06, 0.06, 0.5 }, { 0.63, 0.82, 0.06, 0.06, 0.5 },
+    { 0.5, 0.65, 0.06, 0.05, 1.2 }, { 0.26, 0.5, 0.12, 0.06, 0.5 }, { 0.74, 0.5, 0.12, 0.06, 0.5 },
+    { 0.37, 0.14, 0.08, 0.11, 0.6 }, { 0.63, 0.14, 0.08, 0.11, 0.6 } };
+  OracleField field(columns, rows, spacing, spacing);
+  for (std::ptrdiff_t j = 0; j < rows; ++j)
+  {
+    for (std::ptrdiff_t i = 0; i < columns; ++i)
+    {
+      for (const Part& part : parts)
+      {
+        const double x =
+          (static_cast<double>(i) / static_cast<double>(columns - 1) - part.X) / part.Width;
+        const double y =
+          (static_cast<double>(j) / static_cast<double>(rows - 1) - part.Y) / part.Length;
+        field.At(i, j) = std::max(
+          field.At(i, j), height * part.Height * std::sqrt(std::max(0.0, 1.0 - x * x - y * y)));
+      }
+    }
+  }
+  return field;
+}
+
+/// A landslide: the heights of a slope after a part 'progress' (0 to 1) of a slab of the given depth
+/// has moved from its upper half down to the foot. Northward is up.
+inline OracleField Landslide(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
+  double slope, double depth, double progress)
+{
+  const double length = static_cast<double>(rows - 1) * spacing;
+  const double middle = 0.5 * static_cast<double>(columns - 1) * spacing;
+  return FromFunction(columns, rows, spacing, spacing, 0, 0,
+    [=](double x, double y)
+    {
+      const double across = std::max(0.0, 1.0 - std::pow(2.5 * (x - middle) / middle, 2.0));
+      const auto bump = [&](double centre)
+      {
+        const double v = (y / length - centre) / 0.2;
+        return v * v < 1.0 ? (1.0 - v * v) * (1.0 - v * v) : 0.0;
+      };
+      return slope * y - depth * across * progress * (bump(0.7) - bump(0.25 + 0.1 * progress));
+    });
+}
+
 /// A paraboloid z = curvature (x^2 + y^2) / 2 about the middle post: a bowl for positive curvature,
 /// a dome for negative.
 inline OracleField Paraboloid(
