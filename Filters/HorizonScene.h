@@ -50,6 +50,9 @@ public:
 
   const Grid& Posts() const { return this->Field.Posts(); }
   const Georeference& Place() const { return this->Where; }
+  const HeightField& PreparedField() const { return this->Field; } ///< heights above MeanHeight
+  const HorizonSettings& UsedSettings() const { return this->Settings; }
+  const std::vector<RowBand>& BandsOfRows() const { return this->Bands; } ///< one spacing each
   double MeanHeight() const { return this->Mean; } ///< metres, halfway between lowest and highest
 
   double PrepareSeconds = 0.0, SearchSeconds = 0.0; ///< of all runs

@@ -30,6 +30,10 @@ namespace
 
 std::string UnitOf(const std::string& array)
 {
+  if (array == "Irradiance")
+  {
+    return "W/m2";
+  }
   return array == "HorizonElevation" || array == "PositiveOpenness" ? "degree" : "1";
 }
 
@@ -51,6 +55,10 @@ void SetBandTexts(
       std::array<char, 32> azimuth;
       std::snprintf(azimuth.data(), azimuth.size(), " azimuth %.10g", 360.0 * i / count);
       description += azimuth.data();
+    }
+    if (name == "Irradiance")
+    {
+      description += i == 0 ? " red" : i == 1 ? " green" : " blue";
     }
     ++band;
     writer->SetBandDescription(band, description.c_str());

@@ -23,7 +23,7 @@ void OutputOptions::AddTo(CLI::App& command, const std::string& what, bool requi
     "Write a cloud-optimized GeoTIFF: tiled, with overviews");
 }
 
-void HorizonOptions::AddTo(CLI::App& command, bool azimuths)
+void HorizonOptions::AddTo(CLI::App& command, bool azimuths, const char* method)
 {
   if (azimuths)
   {
@@ -34,8 +34,8 @@ void HorizonOptions::AddTo(CLI::App& command, bool azimuths)
       ->capture_default_str();
   }
   command
-    .add_option("--method", this->Method,
-      "exact: every edge of the surface counts;\nfast: up to 0.2 degrees lower than exact;\n"
+    .add_option(method, this->Method,
+      "exact: every edge of the surface counts;\nfast: up to 0.25 degrees lower than exact;\n"
       "sweep: line sweeps, resampled to the posts, off by degrees at places;\n"
       "pyramid: smoothed heights, for soft shadows; off by a degree, none below 0")
     ->check(CLI::IsMember({ "exact", "fast", "sweep", "pyramid" }))

@@ -37,7 +37,7 @@ struct HorizonOptions
   bool Flat = false;
   double Refraction = 0.13;
   double Tolerance = 0.0;
-  void AddTo(CLI::App& command, bool azimuths = true);
+  void AddTo(CLI::App& command, bool azimuths = true, const char* method = "--method");
 
   /// Sets the properties that all filters of horizons share. Throws Failure for values out of
   /// range.

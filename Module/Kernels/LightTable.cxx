@@ -100,6 +100,10 @@ void LightTable::Build(
         sums[6 + c] += column.Cosine * radiance;
       }
     }
+    for (int k = 0; k < 9; ++k)
+    {
+      sums[k] *= light.Scale[k % 3];
+    }
     const double top = static_cast<double>(row) / this->PerRadian;
     const double bottom = static_cast<double>(row + 1) / this->PerRadian;
     const double heads[3] = { Square(std::sin(top)), Bow(top), Bow(top) };

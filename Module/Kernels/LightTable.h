@@ -16,7 +16,8 @@ namespace skyline
 struct TurnedLightMap
 {
   LightMap Map;
-  double Rotation = 0.0; ///< radians clockwise about the vertical
+  double Rotation = 0.0;               ///< radians clockwise about the vertical
+  double Scale[3] = { 1.0, 1.0, 1.0 }; ///< factors on red, green and blue, 0 or more
 };
 
 /// A piece of a swath: azimuths (radians, clockwise from grid north) and the weight that the light

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Distant lights as spherical harmonics, and their product with the transfer of every post.
+#ifndef skyline_HarmonicLight_h
+#define skyline_HarmonicLight_h
+
+#include "LightPasses.h"
+#include "LightTable.h"
+
+#include <vector>
+
+namespace skyline
+{
+
+/// The sum of lights: bands^2 coefficients of red, then of green, then of blue.
+class HarmonicLight
+{
+public:
+  /// bands: 1 to 8.
+  explicit HarmonicLight(int bands);
+
+  void Add(const TurnedLightMap& light);
+  void Add(const SkyDisc& disc); ///< a point counts as a disc of a hundredth of a degree
+
+  /// Adds the light to `posts` posts: the dot products of their transfer (bands^2 floats each) with
+  /// the coefficients, nothing below 0.
+  void Light(const float* transfer, std::ptrdiff_t begin, std::ptrdiff_t end, float* rgb) const;
+
+private:
+  int Bands;
+  std::vector<double> Coefficients;
+};
+
+} // namespace skyline
+
+#endif

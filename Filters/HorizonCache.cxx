@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HorizonCache.h"
+
+#include "Constants.h"
+#include "HorizonScene.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+
+namespace skyline
+{
+
+namespace
+{
+
+/// Copies slopes, azimuth by azimuth.
+class SlopeStore : public Accumulator
+{
+public:
+  SlopeStore(const Grid& grid, std::vector<std::vector<float>*> planes)
+    : Posts(grid)
+    , Planes(std::move(planes))
+  {
+  }
+  void Begin(double, double) override
+  {
+    this->Plane = this->Planes[this->Next++];
+    this->Plane->resize(static_cast<std::size_t>(this->Posts.Columns * this->Posts.Rows));
+  }
+  void Add(
+    std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count, const float* slopes) override
+  {
+    std::copy_n(slopes, count, this->Plane->data() + row * this->Posts.Columns + column);
+  }
+  void Finish(std::ptrdiff_t, std::ptrdiff_t) override {}
+
+private:
+  Grid Posts;
+  std::vector<std::vector<float>*> Planes;
+  std::vector<float>* Plane = nullptr;
+  std::size_t Next = 0;
+};
+
+} // namespace
+
+void HorizonCache::SetSurface(const std::vector<double>& key)
+{
+  if (!this->Keep || key != this->Key)
+  {
+    this->Slopes.clear();
+    this->Key = key;
+  }
+}
+
+bool HorizonCache::Run(
+  HorizonScene& scene, const std::vector<double>& azimuths, double width, Accumulator& consumer)
+{
+  if (!this->Keep)
+  {
+    this->Searched += static_cast<int>(azimuths.size());
+    return scene.Run(azimuths, width, consumer);
+  }
+  std::vector<double> missing;
+  for (const double azimuth : azimuths)
+  {
+    if (this->Slopes.find(azimuth) == this->Slopes.end())
+    {
+      missing.push_back(azimuth);
+    }
+  }
+  std::sort(missing.begin(), missing.end());
+  missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+  std::vector<std::vector<float>*> planes;
+  for (const double azimuth : missing)
+  {
+    planes.push_back(&this->Slopes[azimuth]);
+  }
+  SlopeStore store(scene.Posts(), planes);
+  if (!missing.empty() && !scene.Run(missing, width, store))
+  {
+    this->Slopes.clear(); // the last planes are half empty
+    return false;
+  }
+  this->Searched += static_cast<int>(missing.size());
+  const Grid& grid = scene.Posts();
+  for (const double azimuth : azimuths)
+  {
+    const std::vector<float>& slopes = this->Slopes[azimuth];
+    consumer.Begin(azimuth * RadiansPerDegree, width);
+    vtkSMPTools::For(0, grid.Rows,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType row = begin; row < end; ++row)
+        {
+          consumer.Add(row, 0, grid.Columns, slopes.data() + row * grid.Columns);
+        }
+      });
+  }
+  vtkSMPTools::For(
+    0, grid.Rows, [&](vtkIdType begin, vtkIdType end) { consumer.Finish(begin, end); });
+  return true;
+}
+
+} // namespace skyline

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LightPasses.h"
+
+#include "HorizonScene.h"
+#include "LampIrradiance.h"
+#include "SunAccumulator.h"
+#include "SunField.h"
+#include "vtkSkylineKeyLight.h"
+#include "vtkSkylineLampLight.h"
+#include "vtkSkylineSunLight.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace skyline
+{
+
+namespace
+{
+
+/// Rows that one thread takes at a time, between two looks at the abort flag.
+constexpr std::ptrdiff_t RowsPerStrip = 64;
+
+std::string Text(double number)
+{
+  std::string text = std::to_string(number);
+  text.erase(text.find_last_not_of('0') + 1);
+  return text.back() == '.' ? text + "0" : text;
+}
+
+void Check(bool fine, const char* light, const char* what, double value, const char* range)
+{
+  if (!fine)
+  {
+    throw std::invalid_argument(
+      std::string(light) + ": " + what + " " + Text(value) + " is out of range: " + range);
+  }
+}
+
+void CheckColor(const char* light, const double* color)
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    Check(color[c] >= 0.0 && std::isfinite(color[c]), light, "colour", color[c], "0 or more");
+  }
+}
+
+/// The part of a disc's area above a plane that its centre stands over by the angle with the given
+/// sine, in units of the disc's radius.
+double PartAbove(double height)
+{
+  const double x = std::clamp(height, -1.0, 1.0);
+  return 0.5 + (std::asin(x) + x * std::sqrt((1.0 - x) * (1.0 + x))) / Pi;
+}
+
+/// Adds the light of a disc whose lit part is known to every post; directions(row, x, y, z) writes
+/// unit vectors to its centre for a row of posts.
+template <typename Directions>
+void AddLitDisc(const Grid& grid, const LitPosts& posts, const float* lit, double radius,
+  const std::array<double, 3>& irradiance, const Directions& directions)
+{
+  const LampDisc disc{ std::sin(radius), std::cos(radius) };
+  const double facing = radius > 0.0 ? DiscIrradiance(disc, 1.0) : 1.0;
+  vtkSMPTools::For(0, grid.Rows,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<float> vectors(static_cast<std::size_t>(3 * grid.Columns));
+      float* x = vectors.data();
+      float* y = x + grid.Columns;
+      float* z = y + grid.Columns;
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        directions(row, x, y, z);
+        for (std::ptrdiff_t column = 0; column < grid.Columns; ++column)
+        {
+          const std::ptrdiff_t post = row * grid.Columns + column;
+          const double east = posts.East ? posts.East[post] : 0.0;
+          const double north = posts.East ? posts.North[post] : 0.0;
+          const double cosine = (z[column] - east * x[column] - north * y[column]) /
+            std::sqrt(1.0 + east * east + north * north);
+          double light = 0.0;
+          if (radius > 0.0)
+          {
+            // What the horizon leaves may lie above the plane or not. Where both cut the disc they
+            // mostly are the same ground, so only a shadow beyond the plane's own counts.
+            const double above = PartAbove(cosine / disc.Sine);
+            const double part = above > 0.0 ? std::min(1.0, lit[post] / above) : 0.0;
+            light = part * DiscIrradiance(disc, cosine) / facing;
+          }
+          else
+          {
+            light = lit[post] * std::max(0.0, cosine);
+          }
+          for (std::size_t c = 0; c < 3; ++c)
+          {
+            posts.Irradiance[3 * post + static_cast<std::ptrdiff_t>(c)] +=
+              static_cast<float>(irradiance[c] * light);
+          }
+        }
+      }
+    });
+}
+
+} // namespace
+
+SkyDisc DiscOf(vtkSkylineSunLight* light)
+{
+  SkyDisc disc;
+  Check(std::isfinite(light->GetAzimuth()), "sun", "azimuth", light->GetAzimuth(), "any angle");
+  Check(std::abs(light->GetElevation()) <= 90.0, "sun", "elevation", light->GetElevation(),
+    "-90 to 90 degrees");
+  const double radius = light->GetAngularRadius();
+  Check(radius >= 0.0 && radius <= LargestSun * DegreesPerRadian, "sun", "angular radius", radius,
+    "0 to 3 degrees; larger discs are key lights");
+  CheckColor("sun", light->GetIrradiance());
+  disc.Azimuth = light->GetAzimuth() * RadiansPerDegree;
+  disc.Elevation = light->GetElevation() * RadiansPerDegree;
+  disc.Radius = radius * RadiansPerDegree;
+  std::copy_n(light->GetIrradiance(), 3, disc.Irradiance.begin());
+  return disc;
+}
+
+SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonScene& scene)
+{
+  SkyDisc disc = DiscOf(light);
+  if (light->GetUseTime())
+  {
+    const SunField sun(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight());
+    const Grid& grid = scene.Posts();
+    const GridSun middle =
+      sun.At(0.5 * static_cast<double>(grid.Columns - 1), 0.5 * static_cast<double>(grid.Rows - 1));
+    disc.Azimuth = middle.Azimuth * RadiansPerDegree;
+    disc.Elevation = middle.Elevation * RadiansPerDegree;
+    disc.Radius = middle.Radius * RadiansPerDegree;
+  }
+  return disc;
+}
+
+SkyDisc DiscOf(vtkSkylineKeyLight* light)
+{
+  SkyDisc disc;
+  Check(
+    std::isfinite(light->GetAzimuth()), "key light", "azimuth", light->GetAzimuth(), "any angle");
+  Check(std::abs(light->GetElevation()) <= 90.0, "key light", "elevation", light->GetElevation(),
+    "-90 to 90 degrees");
+  const double radius = light->GetAngularRadius();
+  Check(radius > 0.0 && radius < 90.0, "key light", "angular radius", radius,
+    "above 0 to below 90 degrees");
+  CheckColor("key light", light->GetRadiance());
+  disc.Azimuth = light->GetAzimuth() * RadiansPerDegree;
+  disc.Elevation = light->GetElevation() * RadiansPerDegree;
+  disc.Radius = radius * RadiansPerDegree;
+  const double reach = std::sin(disc.Radius);
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    disc.Irradiance[c] = Pi * reach * reach * light->GetRadiance()[c];
+  }
+  return disc;
+}
+
+std::vector<float> DrawDisc(const SkyDisc& disc, int& columns, int& rows)
+{
+  constexpr int Inside = 4; // places each way that tell how much of a pixel lies inside
+  rows = 2 * static_cast<int>(std::ceil(0.5 * Pi / (disc.Radius / 16.0)));
+  rows = std::max(rows, 180);
+  columns = 2 * rows;
+  std::vector<float> pixels(static_cast<std::size_t>(3 * columns) * static_cast<std::size_t>(rows));
+  const double limit = std::cos(disc.Radius);
+  const double sine = std::sin(disc.Elevation), cosine = std::cos(disc.Elevation);
+  const double step = Pi / rows;
+  const double reach = std::sin(disc.Radius);
+  for (int row = 0; row < rows; ++row)
+  {
+    if (std::abs(0.5 * Pi - (row + 0.5) * step - disc.Elevation) > disc.Radius + step)
+    {
+      continue;
+    }
+    for (int column = 0; column < columns; ++column)
+    {
+      int inside = 0;
+      for (int u = 0; u < Inside; ++u)
+      {
+        const double zenith = (row + (u + 0.5) / Inside) * step;
+        for (int v = 0; v < Inside; ++v)
+        {
+          const double azimuth = (column + (v + 0.5) / Inside) * step - Pi;
+          inside +=
+            std::cos(zenith) * sine + std::sin(zenith) * cosine * std::cos(azimuth - disc.Azimuth) >
+              limit
+            ? 1
+            : 0;
+        }
+      }
+      for (std::size_t c = 0; c < 3 && inside > 0; ++c)
+      {
+        pixels[3 *
+            (static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+              static_cast<std::size_t>(column)) +
+          c] = static_cast<float>(disc.Irradiance[c] / (Pi * reach * reach) * inside /
+          (Inside * Inside));
+      }
+    }
+  }
+  return pixels;
+}
+
+bool AddDisc(HorizonScene& scene, HorizonCache& cache, const SkyDisc& disc, const LitPosts& posts)
+{
+  const Grid& grid = scene.Posts();
+  std::vector<double> azimuths =
+    SunAzimuths(disc.Azimuth, disc.Azimuth, disc.Elevation, disc.Elevation, disc.Radius);
+  for (double& azimuth : azimuths)
+  {
+    azimuth *= DegreesPerRadian;
+  }
+  const std::unique_ptr<float[]> lit(new float[static_cast<std::size_t>(grid.Columns * grid.Rows)]);
+  SunAccumulator sun(grid.Columns, grid.Rows, { disc.Azimuth, disc.Elevation, disc.Radius },
+    PostBuffer{ lit.get(), 1 });
+  if (!cache.Run(scene, azimuths, 0.0, sun))
+  {
+    return false;
+  }
+  const auto cosine = std::cos(disc.Elevation);
+  const auto toX = static_cast<float>(cosine * std::sin(disc.Azimuth));
+  const auto toY = static_cast<float>(cosine * std::cos(disc.Azimuth));
+  const auto toZ = static_cast<float>(std::sin(disc.Elevation));
+  AddLitDisc(grid, posts, lit.get(), disc.Radius, disc.Irradiance,
+    [&](std::ptrdiff_t, float* x, float* y, float* z)
+    {
+      std::fill_n(x, grid.Columns, toX);
+      std::fill_n(y, grid.Columns, toY);
+      std::fill_n(z, grid.Columns, toZ);
+    });
+  return true;
+}
+
+bool AddSun(
+  HorizonScene& scene, HorizonCache& cache, vtkSkylineSunLight* light, const LitPosts& posts)
+{
+  SkyDisc disc = DiscOf(light);
+  const double darkening = light->GetLimbDarkening() ? EddingtonLimbDarkening : 0.0;
+  const SunField sun = light->GetUseTime()
+    ? SunField(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight())
+    : SunField::Constant(light->GetAzimuth(), light->GetElevation(), light->GetAngularRadius());
+  disc.Radius = sun.Radius() * RadiansPerDegree;
+  double first = 0.0, last = 0.0, least = 0.0, greatest = 0.0;
+  sun.AzimuthBounds(first, last);
+  sun.ElevationBounds(least, greatest);
+  std::vector<double> azimuths = SunAzimuths(first * RadiansPerDegree, last * RadiansPerDegree,
+    least * RadiansPerDegree, greatest * RadiansPerDegree, disc.Radius);
+  for (double& azimuth : azimuths)
+  {
+    azimuth *= DegreesPerRadian;
+  }
+  const Grid& grid = scene.Posts();
+  const std::unique_ptr<float[]> lit(new float[static_cast<std::size_t>(grid.Columns * grid.Rows)]);
+  const PostBuffer buffer{ lit.get(), 1 };
+  const auto row = [&](std::ptrdiff_t number, std::ptrdiff_t column, std::ptrdiff_t count, float* x,
+                     float* y, float* z) { sun.Row(number, column, count, x, y, z); };
+  const auto run = [&](SunAccumulator&& visibility)
+  { return cache.Run(scene, azimuths, 0.0, visibility); };
+  const bool finished = light->GetUseTime()
+    ? run(SunAccumulator(grid.Columns, grid.Rows, row, disc.Radius, buffer, darkening))
+    : run(SunAccumulator(grid.Columns, grid.Rows,
+        SunDisc{ disc.Azimuth, disc.Elevation, disc.Radius }, buffer, darkening));
+  if (finished)
+  {
+    AddLitDisc(grid, posts, lit.get(), disc.Radius, disc.Irradiance,
+      [&](std::ptrdiff_t number, float* x, float* y, float* z)
+      { sun.Row(number, 0, grid.Columns, x, y, z); });
+  }
+  return finished;
+}
+
+bool AddLamp(HorizonScene& scene, const std::array<double, 2>& origin, vtkSkylineLampLight* light,
+  const LitPosts& posts)
+{
+  const LampTerrain terrain(scene.PreparedField());
+  LampSettings settings;
+  settings.Shape = scene.UsedSettings().Shape;
+  settings.Sink = scene.UsedSettings().Sink;
+  Grid grid = scene.Posts();
+  const double column = (light->GetPosition()[0] - origin[0]) / grid.SpacingX;
+  const double row = (light->GetPosition()[1] - origin[1]) / grid.SpacingY;
+  const double rows = static_cast<double>(grid.Rows);
+  for (const RowBand& band : scene.BandsOfRows())
+  {
+    grid.SpacingX = band.SpacingX;
+    grid.SpacingY = band.SpacingY;
+    Lamp lamp;
+    lamp.X = column * grid.SpacingX;
+    lamp.Y = row * grid.SpacingY;
+    lamp.Z = light->GetPosition()[2] - scene.MeanHeight();
+    lamp.Radius = light->GetRadius();
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      lamp.Radiance[c] = static_cast<float>(light->GetRadiance()[c]);
+    }
+    CheckLamp(lamp); // here, not in a thread
+    for (std::ptrdiff_t begin = band.RowBegin; begin < band.RowEnd; begin += RowsPerStrip)
+    {
+      if (scene.Progress && !scene.Progress(static_cast<double>(begin) / rows))
+      {
+        return false;
+      }
+      vtkSMPTools::For(begin, std::min(begin + RowsPerStrip, band.RowEnd),
+        [&](vtkIdType from, vtkIdType to)
+        {
+          AddLampIrradiance(
+            terrain, grid, posts.East, posts.North, lamp, settings, from, to, posts.Irradiance);
+        });
+    }
+  }
+  return true;
+}
+
+} // namespace skyline

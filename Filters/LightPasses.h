@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The passes of vtkHeightFieldIrradiance: each adds one kind of light to an image of RGB.
+#ifndef skyline_LightPasses_h
+#define skyline_LightPasses_h
+
+#include "Constants.h"
+#include "HorizonCache.h"
+#include "LightAccumulator.h"
+
+#include <array>
+#include <vector>
+
+class vtkSkylineKeyLight;
+class vtkSkylineLampLight;
+class vtkSkylineSunLight;
+
+namespace skyline
+{
+
+class HorizonScene;
+
+/// What a pass reads and writes: gradients and irradiance (three floats) of every post, row by row.
+struct LitPosts
+{
+  const float* East = nullptr; ///< null for level receivers
+  const float* North = nullptr;
+  float* Irradiance = nullptr;
+};
+
+/// A disc in the sky, ready for the kernels: radians; irradiance on an open plane that faces it.
+struct SkyDisc
+{
+  double Azimuth = 0.0, Elevation = 0.0, Radius = 0.0;
+  std::array<double, 3> Irradiance{ { 0.0, 0.0, 0.0 } };
+};
+
+/// Checked numbers of the lights. std::invalid_argument with a one-line reason.
+SkyDisc DiscOf(vtkSkylineSunLight* light);
+SkyDisc DiscOf(vtkSkylineKeyLight* light);
+
+/// The same, with UseTime as the sun stands over the middle of the scene.
+SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonScene& scene);
+
+/// Discs up to this radius, radians, are lit as a whole and shadowed by their lit part; of larger
+/// ones the parts have different cosines, and they become light maps.
+constexpr double LargestSun = 3.0 * RadiansPerDegree;
+
+/// A light map that holds a disc alone, with pixels of a sixteenth of its radius or less.
+std::vector<float> DrawDisc(const SkyDisc& disc, int& columns, int& rows);
+
+/// A sun, with the same direction everywhere or by its time, and small key lights. False if stopped.
+bool AddSun(
+  HorizonScene& scene, HorizonCache& cache, vtkSkylineSunLight* light, const LitPosts& posts);
+bool AddDisc(HorizonScene& scene, HorizonCache& cache, const SkyDisc& disc, const LitPosts& posts);
+
+/// A lamp. False if stopped.
+bool AddLamp(HorizonScene& scene, const std::array<double, 2>& origin, vtkSkylineLampLight* light,
+  const LitPosts& posts);
+
+} // namespace skyline
+
+#endif

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeightFieldIrradiance.h"
+
+#include "Azimuths.h"
+#include "HarmonicLight.h"
+#include "HorizonScene.h"
+#include "LightAzimuths.h"
+#include "LightPasses.h"
+#include "VisibilityAccumulator.h"
+#include "vtkSkylineEnvironmentLight.h"
+#include "vtkSkylineKeyLight.h"
+#include "vtkSkylineLampLight.h"
+#include "vtkSkylineSunLight.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <stdexcept>
+#include <vector>
+
+vtkStandardNewMacro(vtkHeightFieldIrradiance);
+
+// The lights that shine, by how they are computed.
+struct vtkHeightFieldIrradiance::SortedLights
+{
+  std::vector<skyline::TurnedLightMap> Maps;
+  std::vector<skyline::SkyDisc> Discs; // small key lights
+  std::vector<skyline::SkyDisc> LargeDiscs;
+  std::vector<vtkSkylineSunLight*> Suns;
+  std::vector<vtkSkylineLampLight*> Lamps;
+
+  std::size_t Count() const
+  {
+    return this->Maps.size() + this->Discs.size() + this->LargeDiscs.size() + this->Suns.size() +
+      this->Lamps.size();
+  }
+
+  void Add(vtkSkylineLight* light)
+  {
+    if (!light->GetSwitch())
+    {
+      return;
+    }
+    if (auto* environment = vtkSkylineEnvironmentLight::SafeDownCast(light))
+    {
+      this->Maps.push_back(environment->GetLightMap());
+    }
+    else if (auto* sun = vtkSkylineSunLight::SafeDownCast(light))
+    {
+      skyline::DiscOf(sun); // throws before any work
+      this->Suns.push_back(sun);
+    }
+    else if (auto* key = vtkSkylineKeyLight::SafeDownCast(light))
+    {
+      const skyline::SkyDisc disc = skyline::DiscOf(key);
+      (disc.Radius <= skyline::LargestSun ? this->Discs : this->LargeDiscs).push_back(disc);
+    }
+    else if (auto* lamp = vtkSkylineLampLight::SafeDownCast(light))
+    {
+      this->Lamps.push_back(lamp);
+    }
+  }
+};
+
+struct vtkHeightFieldIrradiance::Internal
+{
+  std::vector<vtkSmartPointer<vtkSkylineLight>> Lights;
+  skyline::HorizonCache Cache;
+  std::vector<double> TransferKey; // the surface and settings that Transfer belongs to
+  std::vector<float> Transfer;
+};
+
+vtkHeightFieldIrradiance::vtkHeightFieldIrradiance()
+  : Internals(new Internal)
+{
+}
+
+vtkHeightFieldIrradiance::~vtkHeightFieldIrradiance() = default;
+
+void vtkHeightFieldIrradiance::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Lights: " << this->Internals->Lights.size() << "\n"
+     << indent << "LightMethod: " << this->LightMethod << "\n"
+     << indent << "NumberOfAzimuths: " << this->NumberOfAzimuths << "\n"
+     << indent << "Refine: " << this->Refine << "\n"
+     << indent << "Quadrature: " << this->Quadrature << "\n"
+     << indent << "HarmonicBands: " << this->HarmonicBands << "\n"
+     << indent << "Horizontal: " << this->Horizontal << "\n"
+     << indent << "KeepHorizons: " << this->KeepHorizons << "\n"
+     << indent << "SearchedAzimuths: " << this->SearchedAzimuths << "\n"
+     << indent << "EnvironmentPasses: " << this->EnvironmentPasses << "\n"
+     << indent << "SunPasses: " << this->SunPasses << "\n"
+     << indent << "LampPasses: " << this->LampPasses << "\n";
+}
+
+void vtkHeightFieldIrradiance::AddLight(vtkSkylineLight* light)
+{
+  if (light)
+  {
+    this->Internals->Lights.emplace_back(light);
+    this->Modified();
+  }
+}
+
+void vtkHeightFieldIrradiance::RemoveLight(vtkSkylineLight* light)
+{
+  auto& lights = this->Internals->Lights;
+  const auto place = std::find(lights.begin(), lights.end(), light);
+  if (place != lights.end())
+  {
+    lights.erase(place);
+    this->Modified();
+  }
+}
+
+void vtkHeightFieldIrradiance::RemoveAllLights()
+{
+  if (!this->Internals->Lights.empty())
+  {
+    this->Internals->Lights.clear();
+    this->Modified();
+  }
+}
+
+int vtkHeightFieldIrradiance::GetNumberOfLights()
+{
+  return static_cast<int>(this->Internals->Lights.size());
+}
+
+vtkSkylineLight* vtkHeightFieldIrradiance::GetLight(int index)
+{
+  return index >= 0 && index < this->GetNumberOfLights()
+    ? this->Internals->Lights[static_cast<std::size_t>(index)].GetPointer()
+    : nullptr;
+}
+
+vtkMTimeType vtkHeightFieldIrradiance::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkSkylineLight* light : this->Internals->Lights)
+  {
+    time = std::max(time, light->GetMTime());
+  }
+  return time;
+}
+
+// What the horizons of a scene depend on.
+std::vector<double> vtkHeightFieldIrradiance::SurfaceKey(
+  skyline::HorizonScene& scene, vtkImageData* image)
+{
+  const skyline::Grid& grid = scene.Posts();
+  vtkMTimeType time = this->GetInputArrayToProcess(0, image)->GetMTime();
+  vtkFieldData* place = image->GetFieldData();
+  for (int i = 0; i < place->GetNumberOfArrays(); ++i)
+  {
+    time = std::max(time, place->GetAbstractArray(i)->GetMTime());
+  }
+  return { static_cast<double>(time), static_cast<double>(grid.Columns),
+    static_cast<double>(grid.Rows), grid.SpacingX, grid.SpacingY, 1.0 * this->Method,
+    1.0 * this->Surface, this->Flat ? 1.0 : 0.0, this->RefractionCoefficient, this->Tolerance,
+    this->LevelStep, this->LevelOffset, this->LevelDistance, this->LevelSpline ? 1.0 : 0.0 };
+}
+
+bool vtkHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+{
+  using namespace skyline;
+  this->SearchedAzimuths = this->EnvironmentPasses = this->SunPasses = this->LampPasses = 0;
+  EvenAzimuths(this->NumberOfAzimuths); // throws for numbers out of range
+  SortedLights lights;
+  for (vtkSkylineLight* light : this->Internals->Lights)
+  {
+    lights.Add(light);
+  }
+  if (lights.Count() == 0)
+  {
+    throw std::invalid_argument("no light shines; add one by AddLight");
+  }
+
+  const auto count = static_cast<std::size_t>(output->GetNumberOfPoints());
+  vtkFloatArray* irradiance = scene.AddArray(output, "Irradiance", 3);
+  std::fill_n(irradiance->GetPointer(0), 3 * count, 0.0f);
+  std::vector<float> gradients;
+  LitPosts posts;
+  posts.Irradiance = irradiance->GetPointer(0);
+  if (!this->Horizontal)
+  {
+    gradients.resize(2 * count);
+    posts.East = gradients.data();
+    posts.North = gradients.data() + count;
+    scene.FillGradients(gradients.data(), gradients.data() + count);
+  }
+  HorizonCache& cache = this->Internals->Cache;
+  cache.Keep = this->KeepHorizons;
+  cache.Searched = 0;
+  const std::vector<double> surface = this->SurfaceKey(scene, output);
+  cache.SetSurface(surface);
+
+  const bool finished = this->LightMethod == HARMONICS ? AddHarmonics(scene, lights, surface, posts)
+                                                       : AddTables(scene, lights, posts);
+  this->SearchedAzimuths = cache.Searched;
+  if (!finished || !AddLamps(scene, lights, output, posts))
+  {
+    return false;
+  }
+  scene.BlankMissing(irradiance);
+  return true;
+}
+
+bool vtkHeightFieldIrradiance::AddHarmonics(skyline::HorizonScene& scene,
+  const SortedLights& lights, const std::vector<double>& surface, const skyline::LitPosts& posts)
+{
+  using namespace skyline;
+  if (lights.Count() == lights.Lamps.size())
+  {
+    return true;
+  }
+  HarmonicLight sum(this->HarmonicBands);
+  for (const TurnedLightMap& map : lights.Maps)
+  {
+    sum.Add(map);
+  }
+  for (const auto* discs : { &lights.Discs, &lights.LargeDiscs })
+  {
+    for (const SkyDisc& disc : *discs)
+    {
+      sum.Add(disc);
+    }
+  }
+  for (vtkSkylineSunLight* sun : lights.Suns)
+  {
+    sum.Add(DiscOf(sun, scene));
+  }
+
+  const Grid& grid = scene.Posts();
+  const auto count = static_cast<std::size_t>(grid.Columns * grid.Rows);
+  std::vector<double> key = surface;
+  key.insert(key.end(),
+    { 1.0 * this->NumberOfAzimuths, 1.0 * this->HarmonicBands, this->Horizontal ? 1.0 : 0.0 });
+  std::vector<float>& transfer = this->Internals->Transfer;
+  if (key != this->Internals->TransferKey)
+  {
+    this->Internals->TransferKey.clear();
+    transfer.resize(count * static_cast<std::size_t>(HarmonicCount(this->HarmonicBands)));
+    const std::vector<float> level(this->Horizontal ? count : 0, 0.0f);
+    HarmonicBuffers buffers;
+    buffers.Columns = grid.Columns;
+    buffers.Rows = grid.Rows;
+    buffers.Bands = this->HarmonicBands;
+    buffers.Values = transfer.data();
+    VisibilityAccumulator accumulator(buffers, this->Horizontal ? level.data() : posts.East,
+      this->Horizontal ? level.data() : posts.North);
+    ++this->EnvironmentPasses;
+    if (!this->Internals->Cache.Run(scene, EvenAzimuths(this->NumberOfAzimuths),
+          2.0 * Pi / this->NumberOfAzimuths, accumulator))
+    {
+      return false;
+    }
+    this->Internals->TransferKey = key;
+  }
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+    [&](vtkIdType begin, vtkIdType end)
+    { sum.Light(transfer.data(), begin, end, posts.Irradiance); });
+  return true;
+}
+
+bool vtkHeightFieldIrradiance::AddTables(
+  skyline::HorizonScene& scene, const SortedLights& lights, const skyline::LitPosts& posts)
+{
+  using namespace skyline;
+  HorizonCache& cache = this->Internals->Cache;
+  if (!lights.Maps.empty() || !lights.LargeDiscs.empty())
+  {
+    std::vector<TurnedLightMap> maps = lights.Maps;
+    std::deque<std::vector<float>> drawn;
+    for (const SkyDisc& disc : lights.LargeDiscs)
+    {
+      int columns = 0, rows = 0;
+      drawn.push_back(DrawDisc(disc, columns, rows));
+      maps.emplace_back();
+      maps.back().Map = ViewTopDown(drawn.back().data(), columns, rows);
+    }
+    const Grid& grid = scene.Posts();
+    LightAccumulator::Options options;
+    options.Quadrature = static_cast<SwathQuadrature>(this->Quadrature);
+    LightAccumulator accumulator(grid.Columns, grid.Rows, maps,
+      LightAzimuths(this->NumberOfAzimuths, maps, this->Refine), options, posts.East, posts.North,
+      posts.Irradiance);
+    std::vector<double> azimuths = accumulator.FedAzimuths();
+    for (double& azimuth : azimuths)
+    {
+      // LINEAR feeds north once more in the end; it shall be found among the kept.
+      azimuth = azimuth >= 2.0 * Pi ? 0.0 : azimuth * DegreesPerRadian;
+    }
+    ++this->EnvironmentPasses;
+    if (!cache.Run(scene, azimuths, 0.0, accumulator))
+    {
+      return false;
+    }
+  }
+  for (const SkyDisc& disc : lights.Discs)
+  {
+    ++this->SunPasses;
+    if (!AddDisc(scene, cache, disc, posts))
+    {
+      return false;
+    }
+  }
+  for (vtkSkylineSunLight* sun : lights.Suns)
+  {
+    ++this->SunPasses;
+    if (!AddSun(scene, cache, sun, posts))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool vtkHeightFieldIrradiance::AddLamps(skyline::HorizonScene& scene, const SortedLights& lights,
+  vtkImageData* image, const skyline::LitPosts& posts)
+{
+  const double* origin = image->GetOrigin();
+  for (vtkSkylineLampLight* lamp : lights.Lamps)
+  {
+    ++this->LampPasses;
+    if (!skyline::AddLamp(scene, { origin[0], origin[1] }, lamp, posts))
+    {
+      return false;
+    }
+  }
+  return true;
+}

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkylineEnvironmentLight.h"
+
+#include "Constants.h"
+#include "LightTable.h"
+#include "SkyModel.h"
+#include "vtkLightMapImage.h"
+
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkSkylineEnvironmentLight);
+
+vtkSkylineEnvironmentLight::vtkSkylineEnvironmentLight() = default;
+vtkSkylineEnvironmentLight::~vtkSkylineEnvironmentLight() = default;
+
+void vtkSkylineEnvironmentLight::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Source: " << this->Source << "\n"
+     << indent << "Radiance: " << this->Radiance[0] << " " << this->Radiance[1] << " "
+     << this->Radiance[2] << "\n"
+     << indent << "Image: " << this->Image.GetPointer() << "\n"
+     << indent << "Rotation: " << this->Rotation << "\n"
+     << indent << "CieType: " << this->CieType << "\n"
+     << indent << "DirectIrradiance: " << this->DirectIrradiance << "\n"
+     << indent << "DiffuseIrradiance: " << this->DiffuseIrradiance << "\n"
+     << indent << "SunAzimuth: " << this->SunAzimuth << "\n"
+     << indent << "SunElevation: " << this->SunElevation << "\n";
+}
+
+void vtkSkylineEnvironmentLight::SetImage(vtkImageData* image)
+{
+  if (this->Image != image || this->Source != IMAGE)
+  {
+    this->Image = image;
+    this->Source = IMAGE;
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkSkylineEnvironmentLight::GetImage()
+{
+  return this->Image;
+}
+
+vtkMTimeType vtkSkylineEnvironmentLight::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Image ? std::max(own, this->Image->GetMTime()) : own;
+}
+
+void vtkSkylineEnvironmentLight::FillPixels()
+{
+  using namespace skyline;
+  this->PixelsAreImage = false;
+  if (this->Source == IMAGE)
+  {
+    const LightMap map = ViewLightMap(this->Image);
+    const auto fine = [](float value) { return value >= 0.0f && std::isfinite(value); };
+    const float* first = map.Pixel(map.Rows - 1, 0); // the image's rows start at the bottom
+    const auto count = static_cast<std::size_t>(3 * map.Columns * map.Rows);
+    this->PixelsAreImage = std::all_of(first, first + count, fine);
+    if (!this->PixelsAreImage)
+    {
+      this->Pixels.assign(first, first + count);
+      SanitizeLightMap(this->Pixels.data(), map.Columns * map.Rows);
+    }
+    return;
+  }
+  if (this->Source == UNIFORM)
+  {
+    this->Pixels.assign(3 * 2, 1.0f);
+    return;
+  }
+  const double elevation = this->SunElevation * RadiansPerDegree;
+  const bool perez = this->Source == PEREZ;
+  const SkyModel sky = perez ? PerezSky(this->DirectIrradiance, this->DiffuseIrradiance, elevation)
+                             : CieSky(this->CieType);
+  this->Pixels.resize(static_cast<std::size_t>(3 * SkyWidth * SkyHeight));
+  FillSky(sky, this->SunAzimuth * RadiansPerDegree, elevation,
+    { perez, perez ? this->DiffuseIrradiance : 1.0 }, SkyWidth, SkyHeight, this->Pixels.data());
+}
+
+skyline::TurnedLightMap vtkSkylineEnvironmentLight::GetLightMap()
+{
+  using namespace skyline;
+  if (!std::isfinite(this->Rotation))
+  {
+    throw std::invalid_argument("the light map's rotation is no angle");
+  }
+  for (const double factor : this->Radiance)
+  {
+    if (!(factor >= 0.0 && std::isfinite(factor)))
+    {
+      throw std::invalid_argument("an environment's radiance is below 0 or no number");
+    }
+  }
+  if (this->PixelTime < this->GetMTime())
+  {
+    this->FillPixels();
+    this->PixelTime = this->GetMTime();
+  }
+  TurnedLightMap light;
+  light.Rotation = this->Rotation * RadiansPerDegree;
+  std::copy_n(this->Radiance, 3, light.Scale);
+  if (this->Source == IMAGE)
+  {
+    const LightMap map = ViewLightMap(this->Image);
+    light.Map =
+      this->PixelsAreImage ? map : ViewBottomUp(this->Pixels.data(), map.Columns, map.Rows);
+  }
+  else if (this->Source == UNIFORM)
+  {
+    light.Map = ViewTopDown(this->Pixels.data(), 1, 2);
+  }
+  else
+  {
+    light.Map = ViewTopDown(this->Pixels.data(), SkyWidth, SkyHeight);
+  }
+  return light;
+}

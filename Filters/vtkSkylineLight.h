@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSkylineLight
+ * @brief   something that lights a height field
+ *
+ * A light is shared by filters and mappers; each Modified() makes them light anew. Colours are linear
+ * RGB. A light that is switched off costs nothing.
+ */
+#ifndef vtkSkylineLight_h
+#define vtkSkylineLight_h
+
+#include "SkylineFiltersModule.h" // for the export macro
+#include "vtkObject.h"
+
+class SKYLINEFILTERS_EXPORT vtkSkylineLight : public vtkObject
+{
+public:
+  vtkTypeMacro(vtkSkylineLight, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Whether it shines; default on.
+  vtkSetMacro(Switch, bool);
+  vtkGetMacro(Switch, bool);
+  vtkBooleanMacro(Switch, bool);
+  ///@}
+
+protected:
+  vtkSkylineLight() = default;
+  ~vtkSkylineLight() override = default;
+
+  bool Switch = true;
+
+private:
+  vtkSkylineLight(const vtkSkylineLight&) = delete;
+  void operator=(const vtkSkylineLight&) = delete;
+};
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSkylineSunLight
+ * @brief   the sun, or the moon: a small bright disc
+ *
+ * A direction for all posts, or, with UseTime, the sun of that time at the place of each post (needs
+ * a georeference). Its light comes from above the horizontal plane only.
+ */
+#ifndef vtkSkylineSunLight_h
+#define vtkSkylineSunLight_h
+
+#include "vtkSkylineLight.h"
+
+#include <string>
+
+class SKYLINEFILTERS_EXPORT vtkSkylineSunLight : public vtkSkylineLight
+{
+public:
+  static vtkSkylineSunLight* New();
+  vtkTypeMacro(vtkSkylineSunLight, vtkSkylineLight);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Degrees clockwise from grid north (any number of turns; default 315), and apparent elevation, -90
+  /// to 90 degrees (default 45). Unused with UseTime.
+  vtkSetMacro(Azimuth, double);
+  vtkGetMacro(Azimuth, double);
+  vtkSetMacro(Elevation, double);
+  vtkGetMacro(Elevation, double);
+  ///@}
+
+  ///@{
+  /// Of the disc, degrees, 0 (a point) to 3; default 0.26645, the mean sun's. With UseTime it
+  /// follows from the sun's distance. Larger lights are vtkSkylineKeyLight.
+  vtkSetMacro(AngularRadius, double);
+  vtkGetMacro(AngularRadius, double);
+  ///@}
+
+  ///@{
+  /// RGB, 0 or more, on an open plane that faces the sun; default 1, 1, 1.
+  vtkSetVector3Macro(Irradiance, double);
+  vtkGetVector3Macro(Irradiance, double);
+  ///@}
+
+  ///@{
+  /// Take the sun of Time at each post's place; default off.
+  vtkSetMacro(UseTime, bool);
+  vtkGetMacro(UseTime, bool);
+  vtkBooleanMacro(UseTime, bool);
+  ///@}
+
+  ///@{
+  /// UTC as ISO 8601, for instance 2026-06-21T06:00Z; 1900 to 2100. Default empty.
+  vtkSetStdStringFromCharMacro(Time);
+  vtkGetCharFromStdStringMacro(Time);
+  ///@}
+
+  ///@{
+  /// Let the disc darken towards its limb (Eddington, u = 0.6); default off.
+  vtkSetMacro(LimbDarkening, bool);
+  vtkGetMacro(LimbDarkening, bool);
+  vtkBooleanMacro(LimbDarkening, bool);
+  ///@}
+
+protected:
+  vtkSkylineSunLight() = default;
+  ~vtkSkylineSunLight() override = default;
+
+  double Azimuth = 315.0;
+  double Elevation = 45.0;
+  double AngularRadius = 0.26645;
+  double Irradiance[3] = { 1.0, 1.0, 1.0 };
+  bool UseTime = false;
+  std::string Time;
+  bool LimbDarkening = false;
+
+private:
+  vtkSkylineSunLight(const vtkSkylineSunLight&) = delete;
+  void operator=(const vtkSkylineSunLight&) = delete;
+};
+
+#endif
