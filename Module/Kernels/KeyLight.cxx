@@ -3,6 +3,7 @@
 
 #include "Constants.h"
 #include "ElevationIntegral.h"
+#include "LightFit.h"
 #include "VisibilityWedge.h"
 
 #include <algorithm>
@@ -66,17 +67,54 @@ std::vector<double> OpenTransfer(const Swath& swath, int bands, const double nor
   return transfer;
 }
 
+/// The whole disc stands above the horizontal plane and in the swath.
+bool IsWithin(const KeyLight& light, const Swath& swath)
+{
+  const Swath own = SwathOf(light);
+  return light.Elevation >= light.Radius &&
+    (swath.IsCircle() ||
+      (swath.Holds(own.Azimuth) &&
+        std::abs(std::remainder(own.Azimuth - swath.Azimuth, Circle)) + 0.5 * own.Width <=
+          0.5 * swath.Width + 1.0e-12));
+}
+
+/// The projection of the part of the disc that stands above the horizontal plane and in the swath:
+/// midpoints of rings of equal width, and spokes.
+void ProjectPart(const KeyLight& light, const Swath& swath, int bands, double* coefficients)
+{
+  constexpr int rings = 64;
+  constexpr int spokes = 256;
+  const double se = std::sin(light.Elevation);
+  const double ce = std::cos(light.Elevation);
+  std::fill_n(coefficients, HarmonicCount(bands), 0.0);
+  double values[HarmonicCount(MaxHarmonicBands)];
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    const double r = (ring + 0.5) * light.Radius / rings;
+    const double weight = std::sin(r) * light.Radius / rings * Circle / spokes;
+    for (int spoke = 0; spoke < spokes; ++spoke)
+    {
+      const double turn = Circle * (spoke + 0.5) / spokes;
+      // Ahead, to the right of and above the light's own direction.
+      const double ahead = std::cos(r) * ce - std::sin(r) * std::cos(turn) * se;
+      const double right = std::sin(r) * std::sin(turn);
+      const double up = std::cos(r) * se + std::sin(r) * std::cos(turn) * ce;
+      const double azimuth = light.Azimuth + std::atan2(right, ahead);
+      if (up <= 0.0 || !swath.Holds(azimuth))
+      {
+        continue;
+      }
+      const double level = std::hypot(ahead, right);
+      EvaluateHarmonics(bands, std::sin(azimuth) * level, std::cos(azimuth) * level, up, values);
+      for (int k = 0; k < HarmonicCount(bands); ++k)
+      {
+        coefficients[k] += weight * values[k];
+      }
+    }
+  }
+}
+
 } // namespace
-
-bool Swath::IsCircle() const
-{
-  return this->Width >= Circle * (1.0 - 1.0e-12);
-}
-
-bool Swath::Holds(double azimuth) const
-{
-  return std::abs(std::remainder(azimuth - this->Azimuth, Circle)) <= 0.5 * this->Width + 1.0e-12;
-}
 
 Swath SwathOf(const KeyLight& light)
 {
@@ -87,16 +125,6 @@ Swath SwathOf(const KeyLight& light)
     return { Turned(light.Azimuth), Circle };
   }
   return { Turned(light.Azimuth), std::max(LeastSwath, 2.0 * std::asin(sine / cosine)) };
-}
-
-std::vector<double> AzimuthsOf(const Swath& swath, int count)
-{
-  std::vector<double> azimuths(static_cast<std::size_t>(count));
-  for (int k = 0; k < count; ++k)
-  {
-    azimuths[static_cast<std::size_t>(k)] = swath.Azimuth + ((k + 0.5) / count - 0.5) * swath.Width;
-  }
-  return azimuths;
 }
 
 std::vector<SharedSwath> ShareSwaths(const std::vector<KeyLight>& lights)
@@ -166,17 +194,29 @@ double FacingIrradiance(const KeyLight& light)
   return sum;
 }
 
-void KeyLightHarmonics(const KeyLight& light, const Swath& swath, int bands, double* coefficients)
+void KeyLightHarmonics(
+  const KeyLight& light, const Swath& swath, int bands, double* coefficients, KeyLightSeries series)
 {
-  double zonal[MaxHarmonicBands];
-  for (int l = 0; l < bands; ++l)
-  {
-    zonal[l] = CapZonal(l, std::cos(light.Radius));
-  }
   const double cosine = std::cos(light.Elevation);
   const double toward[3] = { std::sin(light.Azimuth) * cosine, std::cos(light.Azimuth) * cosine,
     std::sin(light.Elevation) };
-  RotateZonal(bands, zonal, toward[0], toward[1], toward[2], coefficients);
+  if (series == KeyLightSeries::Projected || IsWithin(light, swath))
+  {
+    double zonal[MaxHarmonicBands];
+    for (int l = 0; l < bands; ++l)
+    {
+      zonal[l] = CapZonal(l, std::cos(light.Radius));
+    }
+    RotateZonal(bands, zonal, toward[0], toward[1], toward[2], coefficients);
+  }
+  else
+  {
+    ProjectPart(light, swath, bands, coefficients);
+  }
+  if (series == KeyLightSeries::Fitted)
+  {
+    FitLight(swath, bands, coefficients, coefficients);
+  }
   const std::vector<double> open = OpenTransfer(swath, bands, toward);
   double found = 0.0;
   for (std::size_t k = 0; k < open.size(); ++k)

@@ -5,6 +5,7 @@
 #define skyline_KeyLight_h
 
 #include "SphericalHarmonics.h"
+#include "Swath.h"
 
 #include <cstddef>
 #include <vector>
@@ -20,26 +21,9 @@ struct KeyLight
   double Radius = 0.1;    ///< angular, above 0, up to pi / 2
 };
 
-/// Azimuths from Azimuth - Width / 2 to Azimuth + Width / 2. Radians.
-struct Swath
-{
-  double Azimuth = 0.0;
-  double Width = 6.28318530717958648; ///< above 0, up to 2 pi, which is the circle
-
-  bool IsCircle() const;
-  bool Holds(double azimuth) const;
-};
-
-/// The narrowest swath: less than this resolves nothing, and 0 would weigh nothing. 0.05 degrees.
-constexpr double LeastSwath = 8.7266e-4;
-
 /// The azimuths that a light's disc covers: asin(sin r / cos e) to either side; the circle if the disc
 /// holds the zenith.
 Swath SwathOf(const KeyLight& light);
-
-/// The middles of `count` equal parts of a swath, each Width / count wide: azimuths for a
-/// VisibilityAccumulator.
-std::vector<double> AzimuthsOf(const Swath& swath, int count);
 
 /// Lights that are lit by one set of horizons.
 struct SharedSwath
@@ -52,11 +36,20 @@ struct SharedSwath
 /// were together; the others stay as sharp as they were. In the order of their azimuths.
 std::vector<SharedSwath> ShareSwaths(const std::vector<KeyLight>& lights);
 
+/// How a key light becomes a series.
+enum class KeyLightSeries
+{
+  Fitted,   ///< closest to the disc in the swath, above the horizontal plane (LightFit.h)
+  Projected ///< of the whole sphere, as SN08 have it
+};
+
 /// The light's coefficients (radiance 1) for transfer vectors of a swath. A truncated series spreads
-/// a disc over half the sky, and a swath keeps a part of that alone; so it is scaled until a receiver
-/// that faces the light, with nothing in the way, gets the disc's own irradiance, pi sin^2 r or what
-/// of it stands above the horizontal plane (SN08, figure 6: unit unshadowed shading). All 0 for a light outside of the swath. 1 to 8 bands.
-void KeyLightHarmonics(const KeyLight& light, const Swath& swath, int bands, double* coefficients);
+/// a disc and a swath keeps a part of that; so it is scaled until a receiver that faces the light,
+/// with nothing in the way, gets the disc's own irradiance, pi sin^2 r or what of it stands above the
+/// horizontal plane (SN08, figure 6: unit unshadowed shading). All 0 for a light outside of the swath.
+/// 1 to 8 bands.
+void KeyLightHarmonics(const KeyLight& light, const Swath& swath, int bands, double* coefficients,
+  KeyLightSeries series = KeyLightSeries::Fitted);
 
 /// Irradiance of a disc of radiance 1 on a receiver that faces it, from above the horizontal plane
 /// alone: pi sin^2 r where it stands clear of it. By quadrature, to 1e-6 of itself.
