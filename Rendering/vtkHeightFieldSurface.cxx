@@ -35,13 +35,15 @@ std::vector<vtkIdType> Steps(vtkIdType count, vtkIdType stride)
   return steps;
 }
 
-// Points are made when the first cell asks for them.
+// The cells between chosen columns and rows. Points are made when the first cell asks for them.
 class Mesh
 {
 public:
-  Mesh(vtkImageData* image, vtkDataArray* heights, double exaggeration)
+  Mesh(vtkImageData* image, vtkDataArray* heights, int stride, double exaggeration)
     : Image(image)
     , Heights(heights)
+    , Columns(Steps(image->GetDimensions()[0], stride))
+    , Rows(Steps(image->GetDimensions()[1], stride))
     , Exaggeration(exaggeration)
     , Place(static_cast<std::size_t>(image->GetNumberOfPoints()), -1)
   {
@@ -49,18 +51,89 @@ public:
     this->Elevation->SetName("Elevation");
   }
 
-  bool Has(vtkIdType post) const { return std::isfinite(this->Heights->GetComponent(post, 0)); }
+  std::ptrdiff_t CellRows() const { return static_cast<std::ptrdiff_t>(this->Rows.size()) - 1; }
+
+  // The triangles of a row of cells.
+  void AddSurface(std::ptrdiff_t j)
+  {
+    for (std::ptrdiff_t i = 0; i < this->CellColumns(); ++i)
+    {
+      if (this->HasCell(i, j))
+      {
+        this->AddTriangle(this->Post(i, j), this->Post(i + 1, j), this->Post(i + 1, j + 1));
+        this->AddTriangle(this->Post(i, j), this->Post(i + 1, j + 1), this->Post(i, j + 1));
+      }
+    }
+  }
+
+  // The walls under the sides of a row of cells that have no neighbour.
+  void AddSkirt(std::ptrdiff_t j, double base)
+  {
+    for (std::ptrdiff_t i = 0; i < this->CellColumns(); ++i)
+    {
+      if (!this->HasCell(i, j))
+      {
+        continue;
+      }
+      const std::array<vtkIdType, 4> corner{ { this->Post(i, j), this->Post(i + 1, j),
+        this->Post(i + 1, j + 1), this->Post(i, j + 1) } };
+      const std::array<bool, 4> open{ { !this->HasCell(i, j - 1), !this->HasCell(i + 1, j),
+        !this->HasCell(i, j + 1), !this->HasCell(i - 1, j) } };
+      for (std::size_t k = 0; k < open.size(); ++k)
+      {
+        if (open[k])
+        {
+          this->AddWall(corner[k], corner[(k + 1) % 4], base);
+        }
+      }
+    }
+  }
+
+  void Fill(vtkPolyData* mesh)
+  {
+    mesh->SetPoints(this->Points);
+    mesh->SetPolys(this->Cells);
+    mesh->GetPointData()->SetScalars(this->Elevation);
+  }
+
+private:
+  std::ptrdiff_t CellColumns() const
+  {
+    return static_cast<std::ptrdiff_t>(this->Columns.size()) - 1;
+  }
+
+  vtkIdType Post(std::ptrdiff_t i, std::ptrdiff_t j) const
+  {
+    return this->Rows[static_cast<std::size_t>(j)] * this->Image->GetDimensions()[0] +
+      this->Columns[static_cast<std::size_t>(i)];
+  }
+
+  bool HasPost(std::ptrdiff_t i, std::ptrdiff_t j) const
+  {
+    return std::isfinite(this->Heights->GetComponent(this->Post(i, j), 0));
+  }
+
+  bool HasCell(std::ptrdiff_t i, std::ptrdiff_t j) const
+  {
+    return i >= 0 && i < this->CellColumns() && j >= 0 && j < this->CellRows() &&
+      this->HasPost(i, j) && this->HasPost(i + 1, j) && this->HasPost(i, j + 1) &&
+      this->HasPost(i + 1, j + 1);
+  }
+
+  vtkIdType MakePoint(vtkIdType post, double z)
+  {
+    std::array<double, 3> position;
+    this->Image->GetPoint(post, position.data());
+    this->Elevation->InsertNextValue(static_cast<float>(this->Heights->GetComponent(post, 0)));
+    return this->Points->InsertNextPoint(position[0], position[1], z);
+  }
 
   vtkIdType PointOf(vtkIdType post)
   {
     vtkIdType& place = this->Place[static_cast<std::size_t>(post)];
     if (place < 0)
     {
-      std::array<double, 3> position;
-      this->Image->GetPoint(post, position.data());
-      const double height = this->Heights->GetComponent(post, 0);
-      place = this->Points->InsertNextPoint(position[0], position[1], this->Exaggeration * height);
-      this->Elevation->InsertNextValue(static_cast<float>(height));
+      place = this->MakePoint(post, this->Exaggeration * this->Heights->GetComponent(post, 0));
     }
     return place;
   }
@@ -69,24 +142,25 @@ public:
   {
     const std::array<vtkIdType, 3> corners{ { this->PointOf(a), this->PointOf(b),
       this->PointOf(c) } };
-    this->Triangles->InsertNextCell(3, corners.data());
+    this->Cells->InsertNextCell(3, corners.data());
   }
 
-  void Fill(vtkPolyData* mesh)
+  void AddWall(vtkIdType a, vtkIdType b, double base)
   {
-    mesh->SetPoints(this->Points);
-    mesh->SetPolys(this->Triangles);
-    mesh->GetPointData()->SetScalars(this->Elevation);
+    const std::array<vtkIdType, 4> corners{ { this->PointOf(a), this->MakePoint(a, base),
+      this->MakePoint(b, base), this->PointOf(b) } };
+    this->Cells->InsertNextCell(4, corners.data());
   }
 
-private:
   vtkImageData* Image;
   vtkDataArray* Heights;
+  std::vector<vtkIdType> Columns;
+  std::vector<vtkIdType> Rows;
   double Exaggeration;
-  std::vector<vtkIdType> Place;
+  std::vector<vtkIdType> Place; // of the point on each post, -1 before it is made
   vtkNew<vtkPoints> Points;
   vtkNew<vtkFloatArray> Elevation;
-  vtkNew<vtkCellArray> Triangles;
+  vtkNew<vtkCellArray> Cells;
 };
 
 } // namespace
@@ -121,25 +195,18 @@ int vtkHeightFieldSurface::RequestData(
     vtkErrorMacro("no heights: the image has no array of one number a post");
     return 0;
   }
-  const vtkIdType width = size[0];
-  const std::vector<vtkIdType> columns = Steps(width, this->Stride);
-  const std::vector<vtkIdType> rows = Steps(size[1], this->Stride);
-  Mesh mesh(image, heights, this->Exaggeration);
-  for (std::size_t j = 0; j + 1 < rows.size() && !this->GetAbortExecute(); ++j)
+  Mesh mesh(image, heights, this->Stride, this->Exaggeration);
+  for (std::ptrdiff_t j = 0; j < mesh.CellRows() && !this->GetAbortExecute(); ++j)
   {
-    for (std::size_t i = 0; i + 1 < columns.size(); ++i)
+    if (this->Skirt)
     {
-      const vtkIdType southWest = rows[j] * width + columns[i];
-      const vtkIdType southEast = rows[j] * width + columns[i + 1];
-      const vtkIdType northWest = rows[j + 1] * width + columns[i];
-      const vtkIdType northEast = rows[j + 1] * width + columns[i + 1];
-      if (mesh.Has(southWest) && mesh.Has(southEast) && mesh.Has(northWest) && mesh.Has(northEast))
-      {
-        mesh.AddTriangle(southWest, southEast, northEast);
-        mesh.AddTriangle(southWest, northEast, northWest);
-      }
+      mesh.AddSkirt(j, this->SkirtBase);
     }
-    this->UpdateProgress(static_cast<double>(j + 1) / static_cast<double>(rows.size()));
+    else
+    {
+      mesh.AddSurface(j);
+    }
+    this->UpdateProgress(static_cast<double>(j + 1) / static_cast<double>(mesh.CellRows()));
   }
   mesh.Fill(vtkPolyData::GetData(output));
   return 1;
@@ -150,4 +217,6 @@ void vtkHeightFieldSurface::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Stride: " << this->Stride << "\n";
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
+  os << indent << "Skirt: " << this->Skirt << "\n";
+  os << indent << "SkirtBase: " << this->SkirtBase << "\n";
 }

@@ -6,8 +6,11 @@
  * Input: one 2-D vtkImageData; heights are the point array chosen by SetInputArrayToProcess(0, ...)
  * (default: the active scalars). Output: the triangulation of the posts that Skyline's horizons are
  * exact on, each cell split from its south-west to its north-east post; cells with a missing post
- * (NaN, infinite) are left out, and posts that no cell uses. The point array Elevation holds the heights
- * before the exaggeration.
+ * (NaN, infinite) are left out, and posts that no cell uses. The point array Elevation holds the
+ * heights before the exaggeration.
+ *
+ * With SkirtOn the output is the wall that hangs from the rims of that mesh instead, down to
+ * SkirtBase: drawn beside it, the terrain looks like a block and not like a sheet.
  */
 #ifndef vtkHeightFieldSurface_h
 #define vtkHeightFieldSurface_h
@@ -38,6 +41,18 @@ public:
   vtkGetMacro(Exaggeration, double);
   ///@}
 
+  ///@{
+  /**
+   * The wall in place of the terrain, and the height at which it ends (after the exaggeration).
+   * Defaults: off, 0.
+   */
+  vtkSetMacro(Skirt, bool);
+  vtkGetMacro(Skirt, bool);
+  vtkBooleanMacro(Skirt, bool);
+  vtkSetMacro(SkirtBase, double);
+  vtkGetMacro(SkirtBase, double);
+  ///@}
+
 protected:
   vtkHeightFieldSurface();
   ~vtkHeightFieldSurface() override = default;
@@ -49,6 +64,8 @@ protected:
 private:
   int Stride = 1;
   double Exaggeration = 1.0;
+  bool Skirt = false;
+  double SkirtBase = 0.0;
 
   vtkHeightFieldSurface(const vtkHeightFieldSurface&) = delete;
   void operator=(const vtkHeightFieldSurface&) = delete;

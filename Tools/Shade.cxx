@@ -6,6 +6,7 @@
 #include "Failure.h"
 #include "Files.h"
 #include "Options.h"
+#include "Perspective.h"
 #include "SunLight.h"
 #include "ZonalSky.h"
 
@@ -18,6 +19,7 @@
 #include "vtkImageShiftScale.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkTrivialProducer.h"
 
 #include <cmath>
 #include <memory>
@@ -66,6 +68,7 @@ struct ShadeCommand
   std::string Exposure = "auto";
   double Exaggeration = 1.0;
   std::string View = "map";
+  skyline::PerspectiveOptions Perspective;
 
   // The heights times the exaggeration, which light and shadow then see.
   vtkSmartPointer<vtkImageData> Exaggerate(vtkImageData* terrain) const
@@ -134,8 +137,16 @@ struct ShadeCommand
     }
   }
 
-  void CheckOptions() const
+  void CheckOptions(skyline::PictureFormat format) const
   {
+    if (this->View == "perspective")
+    {
+      this->Perspective.Check();
+      if (format != skyline::PictureFormat::Png)
+      {
+        throw skyline::Failure("a perspective picture's name ends in .png");
+      }
+    }
     if (!(this->Exaggeration > 0.0 && this->Exaggeration <= 1000.0))
     {
       throw skyline::Failure("exaggeration is out of range: above 0, up to 1000");
@@ -152,8 +163,8 @@ struct ShadeCommand
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    this->CheckOptions();
     const skyline::PictureFormat format = skyline::FormatOf(this->Output.File);
+    this->CheckOptions(format);
     skyline::CheckOutput(this->Output.File, this->Terrain.File);
 
     const auto terrain = this->Exaggerate(skyline::ReadTerrain(this->Terrain, this->Talk));
@@ -189,7 +200,15 @@ struct ShadeCommand
     this->SetExposure(shading);
     skyline::RunPass(shading, "shading", this->Talk);
 
-    skyline::WritePicture(shading, format, this->Output, this->Talk);
+    vtkNew<vtkTrivialProducer> picture;
+    picture->SetOutput(shading->GetOutput());
+    if (this->View == "perspective")
+    {
+      const skyline::PerspectiveLight seen{ shading->GetUsedExposure(), light.SkyRadiance };
+      picture->SetOutput(
+        skyline::DrawPerspective(shading->GetOutput(), seen, this->Perspective, this->Talk));
+    }
+    skyline::WritePicture(picture, format, this->Output, this->Talk);
   }
 };
 
@@ -252,10 +271,14 @@ void AddShade(CLI::App& program)
       "Factor on heights, in shading and shadows alike; above 0, up to 1000")
     ->type_name("F")
     ->capture_default_str();
-  app->add_option("--view", command->View, "map: seen from above, one pixel a post")
-    ->check(CLI::IsMember({ "map" }))
+  app
+    ->add_option("--view", command->View,
+      "map: seen from above, one pixel a post;\n"
+      "perspective: seen from beside, drawn by OpenGL, without a window system where EGL is at hand")
+    ->check(CLI::IsMember({ "map", "perspective" }))
     ->type_name("NAME")
     ->capture_default_str();
+  command->Perspective.AddTo(*app);
   command->Horizon.AddTo(*app);
   AddTalk(*app, command->Talk);
   app->callback([command] { command->Run(); });

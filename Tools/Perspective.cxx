@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Perspective.h"
+
+#include "CameraFit.h"
+#include "Constants.h"
+#include "Failure.h"
+#include "OffscreenWindow.h"
+#include "ToneMap.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkHeightFieldSurface.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSoftShadowPolyDataMapper.h"
+#include "vtkSoftShadowShader.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace
+{
+
+/// Every pixel is the mean of so many columns and rows of samples: smooth rims, and no shimmer where
+/// many posts share a pixel.
+constexpr int Samples = 2;
+
+/// With Samples, the largest framebuffer of any OpenGL.
+constexpr int LargestSide = 8192;
+
+/// Posts of the mesh, which larger terrain thins out; the light keeps its resolution.
+constexpr double MeshPosts = 4.0e6;
+
+/// The block under the terrain: its depth below the lowest point, in widths of the terrain, and the
+/// sRGB code of the factor on the light of its rim.
+constexpr double SkirtDepth = 0.02;
+constexpr double SkirtColor = 0.6;
+
+/// Where the sky is the only light, it would leave the range of a picture.
+constexpr float BrightestSky = 0.22f;
+
+bool ReadSize(const std::string& text, int& width, int& height)
+{
+  char rest = 0;
+  return std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2;
+}
+
+bool ReadDirection(const std::string& text, double& azimuth, double& elevation)
+{
+  char rest = 0;
+  return std::sscanf(text.c_str(), "%lf,%lf%c", &azimuth, &elevation, &rest) == 2 &&
+    std::isfinite(azimuth) && std::isfinite(elevation);
+}
+
+vtkSmartPointer<vtkHeightFieldSurface> MakeMesh(vtkImageData* terrain)
+{
+  auto surface = vtkSmartPointer<vtkHeightFieldSurface>::New();
+  surface->SetInputData(terrain);
+  surface->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
+  surface->SetStride(static_cast<int>(
+    std::ceil(std::sqrt(static_cast<double>(terrain->GetNumberOfPoints()) / MeshPosts))));
+  return surface;
+}
+
+// Radiance is light times colour over pi already: a white ground under pi times as much light.
+vtkSmartPointer<vtkSoftShadowPolyDataMapper> MakeMapper(
+  vtkAlgorithm* mesh, vtkImageData* terrain, double exposure)
+{
+  auto mapper = vtkSmartPointer<vtkSoftShadowPolyDataMapper>::New();
+  mapper->SetInputConnection(mesh->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  mapper->GetShader()->SetHeightField(terrain);
+  mapper->GetShader()->SetIrradianceArrayName("Radiance");
+  mapper->GetShader()->SetExposure(exposure + std::log2(skyline::Pi));
+  return mapper;
+}
+
+vtkSmartPointer<vtkActor> MakeActor(vtkMapper* mapper, double color)
+{
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(color, color, color);
+  return actor;
+}
+
+// The sky behind the terrain, from the picture's lower to its upper edge: that of the light, paler
+// and brighter towards the horizon.
+void PaintSky(vtkRenderer* renderer, const skyline::PerspectiveLight& light)
+{
+  const float gray = skyline::Luminance(light.SkyRadiance);
+  const float gain = std::min(
+    static_cast<float>(std::exp2(light.Exposure)), gray > 0.0f ? BrightestSky / gray : 0.0f);
+  skyline::Rgb low;
+  skyline::Rgb high;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    low[c] = gain * (2.0f * gray + 2.0f * light.SkyRadiance[c]);
+    high[c] = gain * 2.0f * light.SkyRadiance[c];
+  }
+  low = skyline::ToneMap(low);
+  high = skyline::ToneMap(high);
+  renderer->GradientBackgroundOn();
+  renderer->SetBackground(
+    skyline::EncodeSrgb(low[0]), skyline::EncodeSrgb(low[1]), skyline::EncodeSrgb(low[2]));
+  renderer->SetBackground2(
+    skyline::EncodeSrgb(high[0]), skyline::EncodeSrgb(high[1]), skyline::EncodeSrgb(high[2]));
+}
+
+// The means of blocks of samples, in linear light.
+vtkSmartPointer<vtkImageData> Reduce(vtkUnsignedCharArray* samples, int width, int height)
+{
+  std::array<float, 256> linear{};
+  for (std::size_t code = 0; code < linear.size(); ++code)
+  {
+    linear[code] = skyline::DecodeSrgb(static_cast<float>(code) / 255.0f);
+  }
+  vtkNew<vtkUnsignedCharArray> picture;
+  picture->SetName("Picture");
+  picture->SetNumberOfComponents(4);
+  picture->SetNumberOfTuples(static_cast<vtkIdType>(width) * height);
+  const unsigned char* from = samples->GetPointer(0);
+  unsigned char* to = picture->GetPointer(0);
+  const std::size_t line = 3 * static_cast<std::size_t>(width) * Samples;
+  for (int row = 0; row < height; ++row)
+  {
+    for (int column = 0; column < width; ++column, to += 4)
+    {
+      const unsigned char* block = from + Samples * static_cast<std::size_t>(row) * line +
+        3 * Samples * static_cast<std::size_t>(column);
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        float sum = 0.0f;
+        for (std::size_t k = 0; k < Samples * Samples; ++k)
+        {
+          sum += linear[block[(k / Samples) * line + 3 * (k % Samples) + c]];
+        }
+        to[c] = skyline::SrgbByte(sum / (Samples * Samples));
+      }
+      to[3] = 255;
+    }
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, height, 1);
+  image->GetPointData()->SetScalars(picture);
+  return image;
+}
+
+} // namespace
+
+namespace skyline
+{
+
+void PerspectiveOptions::AddTo(CLI::App& command)
+{
+  command
+    .add_option("--from", this->From,
+      "Perspective: where the viewer stands, azimuth and elevation seen from the terrain, degrees")
+    ->type_name("AZ,EL")
+    ->check(CLI::Validator(
+      [](std::string& text)
+      {
+        double azimuth;
+        double elevation;
+        return ReadDirection(text, azimuth, elevation) ? std::string()
+                                                       : "needs two numbers AZ,EL, not " + text;
+      },
+      ""))
+    ->capture_default_str();
+  command.add_option("--size", this->Size, "Perspective: width and height of the picture, pixels")
+    ->type_name("WxH")
+    ->check(CLI::Validator(
+      [](std::string& text)
+      {
+        int width;
+        int height;
+        return ReadSize(text, width, height) ? std::string() : "needs two numbers WxH, not " + text;
+      },
+      ""))
+    ->capture_default_str();
+}
+
+void PerspectiveOptions::Check() const
+{
+  int width = 0;
+  int height = 0;
+  ReadSize(this->Size, width, height);
+  if (width < 1 || height < 1 || width > LargestSide || height > LargestSide)
+  {
+    throw Failure("the size is out of range: 1x1 to " + std::to_string(LargestSide) + "x" +
+      std::to_string(LargestSide));
+  }
+  double azimuth = 0.0;
+  double elevation = 0.0;
+  ReadDirection(this->From, azimuth, elevation);
+  if (!(elevation >= 0.0 && elevation <= 90.0))
+  {
+    throw Failure("the viewer's elevation is out of range: 0 to 90 degrees");
+  }
+}
+
+vtkSmartPointer<vtkImageData> DrawPerspective(vtkImageData* terrain, const PerspectiveLight& light,
+  const PerspectiveOptions& options, const Talk& talk)
+{
+  std::string reason;
+  const vtkSmartPointer<vtkRenderWindow> window = MakeOffscreenWindow(reason);
+  if (!window)
+  {
+    throw Failure("no OpenGL to draw a perspective with: " + reason + "; --view map needs none");
+  }
+  int width = 0;
+  int height = 0;
+  ReadSize(options.Size, width, height);
+
+  const auto surface = MakeMesh(terrain);
+  RunPass(surface, "mesh", talk);
+  vtkPolyData* mesh = surface->GetOutput();
+  if (mesh->GetNumberOfCells() == 0)
+  {
+    throw Failure("no cell of the terrain has all its posts: there is nothing to see");
+  }
+  const auto skirt = MakeMesh(terrain);
+  const double* bounds = mesh->GetBounds();
+  skirt->SkirtOn();
+  skirt->SetSkirtBase(
+    bounds[4] - SkirtDepth * std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]));
+  RunPass(skirt, "skirt", talk);
+
+  const auto mapper = MakeMapper(surface, terrain, light.Exposure);
+  const auto wall = MakeMapper(skirt, terrain, light.Exposure);
+  wall->SetShader(mapper->GetShader());
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(MakeActor(mapper, 1.0));
+  renderer->AddActor(MakeActor(wall, SkirtColor));
+  PaintSky(renderer, light);
+  Standpoint standpoint;
+  ReadDirection(options.From, standpoint.Azimuth, standpoint.Elevation);
+  standpoint.Aspect = static_cast<double>(width) / height;
+  FitCamera(renderer->GetActiveCamera(), { mesh->GetPoints(), skirt->GetOutput()->GetPoints() },
+    standpoint);
+  renderer->ResetCameraClippingRange();
+
+  window->SetMultiSamples(0);
+  window->SetSize(Samples * width, Samples * height);
+  window->AddRenderer(renderer);
+  vtkNew<vtkUnsignedCharArray> samples;
+  RunPass(mapper, "draw", talk,
+    [&]
+    {
+      window->Render();
+      window->GetPixelData(0, 0, Samples * width - 1, Samples * height - 1, 0, samples, 0);
+    });
+  const vtkIdType wanted = 3 * static_cast<vtkIdType>(Samples) * Samples * width * height;
+  if (samples->GetNumberOfValues() != wanted)
+  {
+    throw Failure("OpenGL gave no picture back");
+  }
+  window->Finalize();
+  return Reduce(samples, width, height);
+}
+
+} // namespace skyline
