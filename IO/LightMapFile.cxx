@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LightMapFile.h"
+
+#include "IoFailure.h"
+
+#include "vtkErrorCode.h"
+#include "vtkSMPTools.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <system_error>
+
+namespace skyline
+{
+
+namespace
+{
+
+/// OpenImageIO's name of the format that the file's first bytes tell, or "". Asked by name, it
+/// tries no other format: TIFF, for one, does not go together with GDAL in one process.
+std::string FindFormat(const std::array<char, 4>& start)
+{
+  const std::array<char, 4> openExr{ '\x76', '\x2f', '\x31', '\x01' };
+  if (start == openExr)
+  {
+    return "openexr";
+  }
+  return start[0] == '#' && start[1] == '?' ? "hdr" : "";
+}
+
+/// What OpenImageIO said, as part of a sentence.
+std::string Reason(const std::string& error)
+{
+  const std::string line = FirstLine(error);
+  return line.substr(0, line.find_last_not_of(". ") + 1);
+}
+
+std::string Dimensions(int columns, int rows)
+{
+  return std::to_string(columns) + " x " + std::to_string(rows);
+}
+
+/// OpenImageIO's progress function over ours; an exception of ours waits in here.
+struct ProgressBridge
+{
+  const LightMapFile::ProgressFunction& Tell;
+  bool Stopped = false;
+  std::exception_ptr Thrown;
+
+  static bool Call(void* data, float part)
+  {
+    auto* self = static_cast<ProgressBridge*>(data);
+    try
+    {
+      self->Stopped = self->Stopped || !self->Tell(part);
+    }
+    catch (...)
+    {
+      self->Thrown = std::current_exception();
+      self->Stopped = true;
+    }
+    return self->Stopped;
+  }
+};
+
+} // namespace
+
+LightMapFile::LightMapFile(const std::string& file)
+  : File(file)
+{
+  this->Open();
+  this->FindChannels();
+  this->FindShape();
+}
+
+void LightMapFile::Refuse(const std::string& reason) const
+{
+  throw IoFailure(vtkErrorCode::FileFormatError, "cannot use '" + this->File + "': " + reason);
+}
+
+void LightMapFile::Open()
+{
+  std::error_code status;
+  if (std::filesystem::is_directory(this->File, status))
+  {
+    throw IoFailure(vtkErrorCode::CannotOpenFileError,
+      "cannot read '" + this->File + "': it is a folder; give a .hdr or .exr file");
+  }
+  std::array<char, 4> start{};
+  std::size_t size = 0;
+  std::FILE* stream = std::fopen(this->File.c_str(), "rb");
+  if (!stream)
+  {
+    const int reason = errno;
+    throw IoFailure(
+      reason == ENOENT ? vtkErrorCode::FileNotFoundError : vtkErrorCode::CannotOpenFileError,
+      "cannot read '" + this->File + "': " + std::strerror(reason) + "; check the path");
+  }
+  size = std::fread(start.data(), 1, start.size(), stream);
+  std::fclose(stream);
+
+  const std::string format = FindFormat(start);
+  if (size == 0 || format.empty())
+  {
+    throw IoFailure(vtkErrorCode::UnrecognizedFileTypeError,
+      "cannot read '" + this->File +
+        "': " + (size == 0 ? "it is empty" : "it is neither a Radiance nor an OpenEXR image") +
+        "; give a .hdr or .exr file");
+  }
+  this->Input = OIIO::ImageInput::create(format);
+  if (!this->Input)
+  {
+    throw IoFailure(vtkErrorCode::UnrecognizedFileTypeError,
+      "cannot read '" + this->File + "': " + Reason(OIIO::geterror()) +
+        "; install OpenImageIO with its formats");
+  }
+  if (!this->Input->open(this->File, this->Spec))
+  {
+    throw IoFailure(vtkErrorCode::FileFormatError,
+      "cannot read '" + this->File + "': " + Reason(this->Input->geterror()) +
+        "; the file may be damaged, fetch it again");
+  }
+}
+
+void LightMapFile::FindChannels()
+{
+  if (this->Spec.deep || this->Spec.depth > 1)
+  {
+    this->Refuse("it is a deep or three-dimensional image; give a flat one");
+  }
+  if (this->Spec.get_int_attribute("Orientation", 1) != 1)
+  {
+    this->Refuse("its rows do not run from left to right and top to bottom (orientation " +
+      std::to_string(this->Spec.get_int_attribute("Orientation", 1)) + "); turn the image upright");
+  }
+  // The first R, G, B in a row, of whatever layer ("diffuse.R").
+  const auto ends = [this](int channel, const char* letter)
+  {
+    const std::string& name = this->Spec.channelnames[static_cast<std::size_t>(channel)];
+    const std::size_t dot = name.rfind('.');
+    return name.substr(dot == std::string::npos ? 0 : dot + 1) == letter;
+  };
+  const int channels = this->Spec.nchannels;
+  for (int first = 0; first + 2 < channels; ++first)
+  {
+    if (ends(first, "R") && ends(first + 1, "G") && ends(first + 2, "B"))
+    {
+      this->FirstChannel = first;
+      return;
+    }
+  }
+  const bool alpha = channels == 2 && this->Spec.alpha_channel == 1;
+  if (channels == 1 || alpha)
+  {
+    this->Channels = 1;
+    return;
+  }
+  std::string names;
+  for (const std::string& name : this->Spec.channelnames)
+  {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  this->Refuse("it has the channels " + names + "; give R, G, B or a single one");
+}
+
+void LightMapFile::FindShape()
+{
+  const OIIO::ImageSpec& spec = this->Spec;
+  if (spec.width < 1 || spec.height < 1)
+  {
+    this->Refuse("it has " + Dimensions(spec.width, spec.height) +
+      " pixels; give a latitude-longitude map, such as 1024 x 512");
+  }
+  // The display window is the whole sphere where it says so, and then the pixels may be part of it.
+  if (spec.full_width > 0 && spec.full_width == 2 * spec.full_height)
+  {
+    this->Columns = spec.full_width;
+    this->Rows = spec.full_height;
+    return;
+  }
+  if (spec.width == 2 * spec.height)
+  {
+    this->Spec.full_x = spec.x; // a display window of another shape says nothing
+    this->Spec.full_y = spec.y;
+    this->Columns = spec.width;
+    this->Rows = spec.height;
+    return;
+  }
+  std::ptrdiff_t size = 0;
+  if (!FindCubeLayout(spec.width, spec.height, this->Faces.Layout, size))
+  {
+    this->Refuse("it has " + Dimensions(spec.width, spec.height) +
+      " pixels; give a latitude-longitude map (2:1) or a cube (1:6, 6:1, 4:3 or 3:4)");
+  }
+  this->Cube = true;
+  this->Faces.Size = size;
+  this->Columns = static_cast<int>(4 * size);
+  this->Rows = static_cast<int>(2 * size);
+}
+
+std::vector<float> LightMapFile::ReadPixels(const ProgressFunction& progress)
+{
+  const std::size_t count = static_cast<std::size_t>(this->Spec.width) * this->Spec.height;
+  std::vector<float> values(3 * count);
+  ProgressBridge bridge{ progress, false, nullptr };
+  const bool read = this->Input->read_image(0, 0, this->FirstChannel,
+    this->FirstChannel + this->Channels, OIIO::TypeDesc::FLOAT, values.data(), 3 * sizeof(float),
+    OIIO::AutoStride, OIIO::AutoStride, &ProgressBridge::Call, &bridge);
+  if (bridge.Thrown)
+  {
+    std::rethrow_exception(bridge.Thrown);
+  }
+  if (bridge.Stopped)
+  {
+    throw IoAborted();
+  }
+  if (!read)
+  {
+    throw IoFailure(vtkErrorCode::PrematureEndOfFileError,
+      "cannot read the pixels of '" + this->File + "': " + Reason(this->Input->geterror()) +
+        "; the file may be damaged, fetch it again");
+  }
+  if (this->Channels == 1)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      values[3 * i + 2] = values[3 * i + 1] = values[3 * i];
+    }
+  }
+  return values;
+}
+
+/// Copies rows of the file from the top to rows of the map from the bottom.
+void LightMapFile::PlaceInWindow(const std::vector<float>& values, float* pixels) const
+{
+  const OIIO::ImageSpec& spec = this->Spec;
+  const int right = spec.x - spec.full_x, below = spec.y - spec.full_y;
+  const int begin = std::max(0, -right), end = std::min(spec.width, this->Columns - right);
+  std::fill_n(pixels, 3 * static_cast<std::ptrdiff_t>(this->Columns) * this->Rows, 0.0f);
+  for (int line = std::max(0, -below); line < std::min(spec.height, this->Rows - below); ++line)
+  {
+    const float* from = values.data() + 3 * static_cast<std::ptrdiff_t>(spec.width) * line;
+    float* to =
+      pixels + 3 * static_cast<std::ptrdiff_t>(this->Columns) * (this->Rows - 1 - line - below);
+    if (begin < end)
+    {
+      std::copy(from + 3 * begin, from + 3 * end, to + 3 * (begin + right));
+    }
+  }
+}
+
+LightMapDefects LightMapFile::Read(float* pixels, const ProgressFunction& progress)
+{
+  std::vector<float> values = this->ReadPixels(progress);
+  const LightMapDefects defects =
+    SanitizeLightMap(values.data(), static_cast<std::ptrdiff_t>(values.size() / 3));
+  if (!this->Cube)
+  {
+    this->PlaceInWindow(values, pixels);
+    return defects;
+  }
+
+  CubeMap cube = this->Faces;
+  cube.Values = values.data();
+  cube.RowStride = 3 * static_cast<std::ptrdiff_t>(this->Spec.width);
+  if (!UnusedPixelsAlike(cube))
+  {
+    this->Refuse("it has " + Dimensions(this->Spec.width, this->Spec.height) +
+      " pixels, but is no cross of a cube's faces; give a latitude-longitude map (2:1) or a cube");
+  }
+  const std::ptrdiff_t columns = this->Columns, rows = this->Rows;
+  vtkSMPTools::For(0, rows,
+    [&](vtkIdType begin, vtkIdType end)
+    { CubeToLightMap(cube, columns, rows, begin, end, pixels); });
+  KeepEnergy(CubeEnergy(cube), columns, rows, pixels);
+  for (std::ptrdiff_t row = 0; row < rows / 2; ++row)
+  {
+    std::swap_ranges(pixels + 3 * columns * row, pixels + 3 * columns * (row + 1),
+      pixels + 3 * columns * (rows - 1 - row));
+  }
+  return defects;
+}
+
+} // namespace skyline

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLightMapReader.h"
+
+#include "IoFailure.h"
+#include "LightMapFile.h"
+#include "vtkLightMapImage.h"
+
+#include "vtkErrorCode.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <exception>
+#include <new>
+#include <string>
+
+vtkStandardNewMacro(vtkLightMapReader);
+
+vtkLightMapReader::vtkLightMapReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkLightMapReader::~vtkLightMapReader()
+{
+  this->SetFileName(nullptr);
+}
+
+template <typename Work>
+bool vtkLightMapReader::Try(const Work& work)
+{
+  const std::string file = this->FileName ? this->FileName : "";
+  this->SetErrorCode(vtkErrorCode::NoError);
+  try
+  {
+    if (file.empty())
+    {
+      throw skyline::IoFailure(
+        vtkErrorCode::NoFileNameError, "no file to read; call SetFileName first");
+    }
+    skyline::LightMapFile source(file);
+    work(source);
+    return true;
+  }
+  catch (const skyline::IoAborted&)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+  }
+  catch (const skyline::IoFailure& failure)
+  {
+    vtkErrorMacro(<< failure.what());
+    this->SetErrorCode(failure.GetCode());
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro(<< "cannot read '" << file << "': not enough memory; give a smaller map");
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+  }
+  catch (const std::exception& failure)
+  {
+    vtkErrorMacro(<< "cannot use '" << file << "': " << skyline::FirstLine(failure.what()));
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+  }
+  return false;
+}
+
+int vtkLightMapReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  return this->Try(
+    [&](const skyline::LightMapFile& source)
+    {
+      const int extent[6] = { 0, source.GetColumns() - 1, 0, source.GetRows() - 1, 0, 0 };
+      const double spacing[3] = { 360.0 / source.GetColumns(), 180.0 / source.GetRows(), 1.0 };
+      const double origin[3] = { -180.0 + 0.5 * spacing[0], -90.0 + 0.5 * spacing[1], 0.0 };
+      vtkInformation* info = outputVector->GetInformationObject(0);
+      info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+      info->Set(vtkDataObject::SPACING(), spacing, 3);
+      info->Set(vtkDataObject::ORIGIN(), origin, 3);
+      vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 3);
+    });
+}
+
+int vtkLightMapReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkImageData* image = vtkImageData::GetData(outputVector);
+  this->NumberOfNegativePixels = this->NumberOfNaNPixels = this->NumberOfInfinitePixels = 0;
+  const bool done = this->Try(
+    [&](skyline::LightMapFile& source)
+    {
+      const int columns = source.GetColumns(), rows = source.GetRows();
+      image->SetExtent(0, columns - 1, 0, rows - 1, 0, 0);
+      image->SetSpacing(360.0 / columns, 180.0 / rows, 1.0);
+      image->SetOrigin(-180.0 + 180.0 / columns, -90.0 + 90.0 / rows, 0.0);
+      vtkNew<vtkFloatArray> radiance;
+      radiance->SetName(skyline::RadianceArrayName);
+      radiance->SetNumberOfComponents(3);
+      radiance->SetNumberOfTuples(static_cast<vtkIdType>(columns) * rows);
+      const skyline::LightMapDefects defects = source.Read(radiance->GetPointer(0),
+        [this](double part)
+        {
+          this->UpdateProgress(part);
+          return !this->GetAbortExecute();
+        });
+      this->NumberOfNegativePixels = defects.Negative;
+      this->NumberOfNaNPixels = defects.NotNumbers;
+      this->NumberOfInfinitePixels = defects.Infinite;
+      image->GetPointData()->SetScalars(radiance);
+    });
+  if (!done)
+  {
+    image->Initialize();
+  }
+  return done;
+}
+
+void vtkLightMapReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "NumberOfNegativePixels: " << this->NumberOfNegativePixels << "\n";
+  os << indent << "NumberOfNaNPixels: " << this->NumberOfNaNPixels << "\n";
+  os << indent << "NumberOfInfinitePixels: " << this->NumberOfInfinitePixels << "\n";
+}

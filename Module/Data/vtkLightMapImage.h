@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A light map as a vtkImageData.
+#ifndef vtkLightMapImage_h
+#define vtkLightMapImage_h
+
+#include "LightMap.h"
+
+class vtkImageData;
+
+namespace skyline
+{
+
+/// The point scalars of a light map: three floats, linear RGB radiance.
+constexpr const char* RadianceArrayName = "Radiance";
+
+/// The kernels' view of an image with such scalars, row 0 of the image at the bottom (the nadir):
+/// valid while the image keeps them. The image is two-dimensional, with the scalars "Radiance" as
+/// vtkLightMapReader makes them, else std::invalid_argument with a one-line reason. The values are
+/// taken as they are: finite and not negative from the reader; others are mended first
+/// (SanitizeLightMap).
+LightMap ViewLightMap(vtkImageData* image);
+
+} // namespace skyline
+
+#endif
