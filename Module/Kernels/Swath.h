@@ -6,6 +6,7 @@
 #include "Constants.h"
 
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace skyline
@@ -32,10 +33,10 @@ constexpr double LeastSwath = 0.05 * RadiansPerDegree;
 /// VisibilityAccumulator.
 inline std::vector<double> AzimuthsOf(const Swath& swath, int count)
 {
-  std::vector<double> azimuths;
+  std::vector<double> azimuths(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k)
   {
-    azimuths.push_back(swath.Azimuth + ((k + 0.5) / count - 0.5) * swath.Width);
+    azimuths[static_cast<std::size_t>(k)] = swath.Azimuth + ((k + 0.5) / count - 0.5) * swath.Width;
   }
   return azimuths;
 }
