@@ -84,31 +84,38 @@ using Color = std::array<double, 3>;
 inline Color StripLight(const OwnedMap& map, double rotation, double begin, double end,
   const std::function<double(double)>& lowest, double east, double north, int steps)
 {
-  Color sum{};
+  const auto level = [](double e) { return 0.5 * std::sin(e) * std::sin(e); };
+  const auto upright = [](double e) { return 0.5 * (e + std::sin(e) * std::cos(e)); };
   const double row = Pi / static_cast<double>(map.Rows);
+  std::vector<double> levels, uprights; // at the upper edges of the rows
+  for (std::ptrdiff_t r = 0; r <= map.Rows; ++r)
+  {
+    levels.push_back(level(0.5 * Pi - static_cast<double>(r) * row));
+    uprights.push_back(upright(0.5 * Pi - static_cast<double>(r) * row));
+  }
+  Color sum{};
   for (int s = 0; s < steps; ++s)
   {
     const double azimuth = begin + (end - begin) * (s + 0.5) / steps;
     const double place = (azimuth - rotation + Pi) / (2.0 * Pi);
-    const auto column =
-      static_cast<std::ptrdiff_t>((place - std::floor(place)) * static_cast<double>(map.Columns));
+    const auto column = std::min(map.Columns - 1,
+      static_cast<std::ptrdiff_t>((place - std::floor(place)) * static_cast<double>(map.Columns)));
     const double rise = east * std::sin(azimuth) + north * std::cos(azimuth);
     const double least = std::max(lowest(azimuth), 0.0);
     for (std::ptrdiff_t r = 0; r < map.Rows; ++r)
     {
       const double top = 0.5 * Pi - static_cast<double>(r) * row;
-      const double bottom = std::max(top - row, least);
-      if (bottom >= top)
+      if (least >= top)
       {
         break;
       }
-      const auto level = [](double e) { return 0.5 * std::sin(e) * std::sin(e); };
-      const auto upright = [](double e) { return 0.5 * (e + std::sin(e) * std::cos(e)); };
-      const double weight = (level(top) - level(bottom)) - rise * (upright(top) - upright(bottom));
+      const auto head = static_cast<std::size_t>(r), foot = head + 1;
+      const bool cut = least > top - row;
+      const double weight = levels[head] - (cut ? level(least) : levels[foot]) -
+        rise * (uprights[head] - (cut ? upright(least) : uprights[foot]));
+      const float* pixel = map.Pixels.data() + 3 * (r * map.Columns + column);
       for (std::size_t c = 0; c < 3; ++c)
       {
-        const float* pixel =
-          map.Pixels.data() + 3 * (r * map.Columns + std::min(column, map.Columns - 1));
         sum[c] += weight * static_cast<double>(pixel[c]) * (end - begin) / steps;
       }
     }

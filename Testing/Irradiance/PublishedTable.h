@@ -30,7 +30,7 @@ public:
     , Horizons(horizons)
     , Values(static_cast<std::size_t>(normals) * static_cast<std::size_t>(horizons))
   {
-    constexpr int Steps = 64; // of the integral between two horizon nodes
+    constexpr int Steps = 8; // of the integral between two horizon nodes
     for (int n = 0; n < normals; ++n)
     {
       const double normal = Pi * n / (normals - 1) - 0.5 * Pi;

@@ -8,7 +8,8 @@ import Program
 from Program import UTM10, ToolTest, hills, make, np
 
 # Commands that write a raster, by their options beside DEM and -o.
-WRITERS = {"horizon": ["--azimuths", "4"], "sky-view": ["--azimuths", "4"], "sun": [], "shade": []}
+WRITERS = {"horizon": ["--azimuths", "4"], "sky-view": ["--azimuths", "4"], "sun": [], "shade": [],
+           "irradiance": ["--azimuths", "4"]}
 
 
 def content(path):

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Errors of the irradiance by number of azimuths, against every pixel of a light map above the exact
+// horizon, at posts drawn by lot:
+//   SkylineIrradianceStudy DEM POSTS [COLUMN ROW COLUMNS ROWS] [MAP.hdr|MAP.exr]...
+// With four numbers, only that part of the DEM from its south-west post counts. A uniform sky, a
+// clear one and a map with one pixel of 1e5 times the mean are always measured.
+#include "../Filters/FilterTesting.h"
+#include "LightAzimuths.h"
+#include "LightTesting.h"
+#include "SkyModel.h"
+
+#include "vtkHeightFieldReader.h"
+#include "vtkLightMapImage.h"
+#include "vtkLightMapReader.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace skyline
+{
+namespace testing
+{
+namespace
+{
+
+/// Azimuths of the truth: 7 in a pixel of a map of 1024 columns.
+constexpr int TruthAzimuths = 7168;
+
+struct NamedMap
+{
+  std::string Name;
+  OwnedMap Map;
+};
+
+struct Terrain
+{
+  oracle::OracleField Field;
+  std::vector<std::ptrdiff_t> Chosen;
+  std::vector<std::vector<double>> Horizon; // elevations of each chosen post
+};
+
+Terrain ReadTerrain(const std::string& file, const std::vector<int>& part, int posts)
+{
+  vtkNew<vtkHeightFieldReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  vtkImageData* image = reader->GetOutput();
+  const int* size = image->GetDimensions();
+  const std::vector<int> box = part.empty() ? std::vector<int>{ 0, 0, size[0], size[1] } : part;
+  Terrain terrain;
+  terrain.Field =
+    oracle::OracleField(box[2], box[3], image->GetSpacing()[0], image->GetSpacing()[1]);
+  for (std::ptrdiff_t row = 0; row < box[3]; ++row)
+  {
+    for (std::ptrdiff_t column = 0; column < box[2]; ++column)
+    {
+      terrain.Field.At(column, row) = image->GetPointData()->GetScalars()->GetComponent(
+        (row + box[1]) * size[0] + column + box[0], 0);
+    }
+  }
+  shapes::Random random(1);
+  while (static_cast<int>(terrain.Chosen.size()) < posts)
+  {
+    const std::ptrdiff_t column = random.Below(box[2]), row = random.Below(box[3]);
+    if (!terrain.Field.HasPost(column, row))
+    {
+      continue;
+    }
+    terrain.Chosen.push_back(row * box[2] + column);
+    terrain.Horizon.emplace_back();
+    for (int a = 0; a < TruthAzimuths; ++a)
+    {
+      terrain.Horizon.back().push_back(std::atan(oracle::HorizonSlope(
+        terrain.Field, column, row, -Pi + 2.0 * Pi * (a + 0.5) / TruthAzimuths)));
+    }
+  }
+  return terrain;
+}
+
+OwnedMap ReadMap(const std::string& file)
+{
+  vtkNew<vtkLightMapReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  const LightMap view = ViewLightMap(reader->GetOutput());
+  OwnedMap map(view.Columns, view.Rows);
+  for (std::ptrdiff_t row = 0; row < view.Rows; ++row)
+  {
+    std::copy_n(view.Pixel(row, 0), 3 * view.Columns, map.At(0, row));
+  }
+  return map;
+}
+
+void Measure(const Terrain& terrain, const NamedMap& named)
+{
+  const auto posts = terrain.Chosen.size();
+  std::vector<float> east, north;
+  std::vector<Color> truth;
+  for (std::size_t k = 0; k < posts; ++k)
+  {
+    double ge = 0.0, gn = 0.0;
+    oracle::Gradient(terrain.Field, terrain.Chosen[k] % terrain.Field.Columns,
+      terrain.Chosen[k] / terrain.Field.Columns, ge, gn);
+    east.push_back(static_cast<float>(ge));
+    north.push_back(static_cast<float>(gn));
+    const auto horizon = [&](double azimuth)
+    {
+      return terrain.Horizon[k][static_cast<std::size_t>(
+        std::min((azimuth + Pi) / (2.0 * Pi), 1.0 - 1e-12) * TruthAzimuths)];
+    };
+    truth.push_back(BruteLight(named.Map, 0.0, horizon, ge, gn, TruthAzimuths));
+  }
+  const std::vector<TurnedLightMap> maps{ { named.Map.View(), 0.0 } };
+  for (const int count : { 16, 32, 64, 128, 256 })
+  {
+    const std::vector<double> azimuths = LightAzimuths(count, maps);
+    std::printf("| %s | %d | %zu |", named.Name.c_str(), count, azimuths.size());
+    for (const SwathQuadrature quadrature :
+      { SwathQuadrature::Constant, SwathQuadrature::Blend, SwathQuadrature::Linear })
+    {
+      std::vector<float> light(3 * posts);
+      LightAccumulator::Options options;
+      options.Quadrature = quadrature;
+      LightAccumulator sum(static_cast<std::ptrdiff_t>(posts), 1, maps, azimuths, options,
+        east.data(), north.data(), light.data());
+      std::vector<float> slopes(posts);
+      for (const double azimuth : sum.FedAzimuths())
+      {
+        for (std::size_t k = 0; k < posts; ++k)
+        {
+          const std::ptrdiff_t post = terrain.Chosen[k];
+          slopes[k] = static_cast<float>(oracle::HorizonSlope(
+            terrain.Field, post % terrain.Field.Columns, post / terrain.Field.Columns, azimuth));
+        }
+        sum.Begin(azimuth, 0.0);
+        sum.Add(0, 0, static_cast<std::ptrdiff_t>(posts), slopes.data());
+      }
+      sum.Finish(0, 1);
+      std::vector<double> errors;
+      for (std::size_t k = 0; k < posts; ++k)
+      {
+        double found = 0.0, right = 0.0;
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          found += static_cast<double>(light[3 * k + c]);
+          right += truth[k][c];
+        }
+        errors.push_back(100.0 * std::abs(found / right - 1.0));
+      }
+      std::sort(errors.begin(), errors.end());
+      std::printf(
+        " %.3f / %.3f / %.2f |", errors[posts / 2], errors[posts * 95 / 100], errors[posts - 1]);
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+  }
+}
+
+} // namespace
+} // namespace testing
+} // namespace skyline
+
+int main(int argc, char** argv)
+{
+  using namespace skyline::testing;
+  std::vector<int> part;
+  int next = 3;
+  while (next < argc && next < 7 && std::atoi(argv[next]) + (argv[next][0] == '0') > 0)
+  {
+    part.push_back(std::atoi(argv[next++]));
+  }
+  if (argc < 3 || (!part.empty() && part.size() != 4))
+  {
+    std::fprintf(stderr, "usage: %s DEM POSTS [COLUMN ROW COLUMNS ROWS] [MAP]...\n", argv[0]);
+    return 2;
+  }
+  const Terrain terrain = ReadTerrain(argv[1], part, std::atoi(argv[2]));
+  std::vector<NamedMap> maps{ { "uniform", OwnedMap(8, 4, 1.0f) },
+    { "cie:12", OwnedMap(skyline::SkyWidth, skyline::SkyHeight) },
+    { "one pixel of 1e5", SunnyMap(1024, 512, 131.0, 24.0) } };
+  skyline::FillSky(skyline::CieSky(12), 2.0, 0.7, {}, skyline::SkyWidth, skyline::SkyHeight,
+    maps[1].Map.Pixels.data());
+  for (; next < argc; ++next)
+  {
+    const std::string file = argv[next];
+    maps.push_back({ file.substr(file.rfind('/') + 1), ReadMap(file) });
+  }
+  std::printf("| light | azimuths | searched | constant | blend | linear |\n"
+              "| --- | --- | --- | --- | --- | --- |\n");
+  for (const NamedMap& map : maps)
+  {
+    Measure(terrain, map);
+  }
+  return 0;
+}
