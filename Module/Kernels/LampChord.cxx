@@ -58,14 +58,9 @@ bool LampChord::Set(
   this->Along = along;
   this->Up = up;
   this->Circle = circle;
+  this->Tangent = tangent;
+  this->HasAngles = false;
   const double square = along * along + up * up;
-  const double scale = 1.0 / std::sqrt(square);
-  this->SinCentre = up * scale;
-  this->CosCentre = along * scale;
-  this->Centre = std::atan2(up, along);
-  const double half = std::atan2(circle, tangent);
-  this->First = hasLow ? -half : -0.5 * Pi - this->Centre;
-  this->Final = hasHigh ? half : 0.5 * Pi - this->Centre;
   this->LowSlope = hasLow ? lowUp / lowAlong : -Infinite;
   this->HighSlope = hasHigh ? highUp / highAlong : Infinite;
 
@@ -82,9 +77,31 @@ bool LampChord::Set(
   this->Gone = 0.0;
   this->Place = 0.0;
   this->Least = std::max(this->Near, this->LowSlope);
-  this->All = 0.0;
-  this->All = this->Lit();
-  return this->All > 0.0;
+  return !this->Dark();
+}
+
+void LampChord::FindAngles()
+{
+  if (this->HasAngles)
+  {
+    return;
+  }
+  this->HasAngles = true;
+  const double scale = 1.0 / std::sqrt(this->Along * this->Along + this->Up * this->Up);
+  this->SinCentre = this->Up * scale;
+  this->CosCentre = this->Along * scale;
+  this->Centre = std::atan2(this->Up, this->Along);
+  const double half = std::atan2(this->Circle, this->Tangent);
+  this->First = this->LowSlope > -Infinite ? -half : -0.5 * Pi - this->Centre;
+  this->Final = this->HighSlope < Infinite ? half : 0.5 * Pi - this->Centre;
+}
+
+double LampChord::Whole()
+{
+  this->FindAngles();
+  const double own = FacingSlope(this->Facing);
+  return this->Between(own, this->TurnSlope) +
+    this->Between(std::max(own, this->TurnSlope), Infinite);
 }
 
 /// A slope's elevation from the centre's, within the chord.
@@ -225,15 +242,17 @@ void LampChord::HideHigh(double s0, double z0, double s1, double z1)
   }
   const double slope = std::max(s0 > 0.0 ? z0 / s0 : zEnd / end, zEnd / end);
   const double low = std::max(std::max(this->HighTop, this->TurnSlope), this->ArcSlope(s0, 1.0));
+  this->FindAngles();
   this->Gone += this->Between(low, slope);
   this->HighTop = std::max(this->HighTop, slope);
 }
 
-double LampChord::Lit() const
+double LampChord::Lit()
 {
+  this->FindAngles();
   const double lit = this->Between(this->LowTop, this->TurnSlope) +
     this->Between(std::max(this->Near, this->TurnSlope), Infinite) - this->Gone;
-  return lit > Nothing * this->All ? lit : 0.0;
+  return lit > Nothing * this->Whole() ? lit : 0.0;
 }
 
 } // namespace skyline

@@ -36,15 +36,16 @@ class LampChord
 {
 public:
   /// along, up: the circle's centre; circle: its radius; tangent: length of the tangents from the
-  /// post to it, above 0. False if the half plane sees nothing of it.
+  /// post to it, above 0. False if the half plane sees nothing of it, or the receiver's plane hides
+  /// all. Costs no angle: those are found when light is asked for.
   bool Set(double along, double up, double circle, double tangent, const LampFacing& facing);
 
   /// Whether nothing of the chord can be visible any more, and the distance of the terrain that did it.
   bool Dark() const { return this->Near >= this->HighSlope; }
   double NearPlace() const { return this->Place; }
 
-  double Whole() const { return this->All; } ///< light of the chord without terrain
-  double Lit() const;                        ///< light that the terrain of the walk lets through
+  double Whole(); ///< light of the chord without terrain
+  double Lit();   ///< light that the terrain of the walk lets through
 
   double End() const { return this->Last; }
   double Fine() const { return this->Turn; }
@@ -53,6 +54,7 @@ public:
   bool Piece(double s0, double z0, double s1, double z1);
 
 private:
+  void FindAngles();
   double Offset(double slope) const;
   double Between(double low, double high) const;
   double ArcSlope(double s, double side) const;
@@ -63,6 +65,8 @@ private:
 
   LampFacing Facing;
   double Along = 0.0, Up = 0.0, Circle = 0.0;
+  double Tangent = 0.0;
+  bool HasAngles = false;
   double Centre = 0.0, SinCentre = 0.0, CosCentre = 1.0; ///< elevation of the circle's centre
   double First = 0.0, Final = 0.0;        ///< ends of the chord, radians from the centre
   double LowSlope = 0.0, HighSlope = 0.0; ///< the same as slopes
@@ -70,7 +74,6 @@ private:
   double Turn = 0.0;                      ///< distance of the turn
   double LowEnd = 0.0, HighEnd = 0.0;     ///< distances of the tangent points; arcs without: Turn
   double Last = 0.0;
-  double All = 0.0;
   double Near = 0.0;    ///< slope of the terrain before the turn: hides both arcs
   double Place = 0.0;   ///< distance of that terrain
   double LowTop = 0.0;  ///< slope below which the low arc is hidden

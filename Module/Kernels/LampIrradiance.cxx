@@ -22,8 +22,8 @@ constexpr int DeepestSplit = 6;
 /// Planes for a lamp that stands over or around the post, per plane of a lamp that does not.
 constexpr int AroundFactor = 2;
 
-/// Half swath (radians) beyond which nobody asks whether the whole fan is clear.
-constexpr double WidestFan = 1.5;
+/// Sine of the half swath beyond which nobody asks whether the whole fan is clear.
+constexpr double WidestFan = 0.99;
 
 /// What a plane gives, per unit of the variable that the planes are spaced evenly in.
 struct PlaneLight
@@ -42,6 +42,25 @@ struct StartSlope
   bool Piece(double, double, double, double) const { return false; }
 };
 
+/// The planes to begin with: intervals of t from `begin` to -begin, an end with no light left out.
+struct LampNodes
+{
+  LampNodes(int intervals, double begin)
+    : Intervals(static_cast<std::size_t>(intervals))
+    , Begin(begin)
+  {
+    for (int k = begin > -Pi ? 1 : 0; k < intervals; ++k)
+    {
+      const double t = begin - 2.0 * begin * k / intervals;
+      this->Cosine.push_back(std::cos(t));
+      this->Sine.push_back(std::sin(t));
+    }
+  }
+  std::size_t Intervals;
+  double Begin;
+  std::vector<double> Cosine, Sine;
+};
+
 /// One lamp over one post: the sum over vertical planes.
 class LampView
 {
@@ -50,6 +69,8 @@ public:
     : Walk(walk)
     , Settings(settings)
     , Work(work)
+    , Across(std::max(2, settings.Azimuths), -0.5 * Pi)
+    , Around(std::max(2, settings.Azimuths) * AroundFactor, -Pi)
   {
   }
 
@@ -59,63 +80,113 @@ public:
     double east, double north);
 
 private:
-  PlaneLight At(double t);
-  PlaneLight Outside(const LampAzimuth& azimuth, double cosine, double sine);
-  PlaneLight Inside(const LampAzimuth& azimuth, double cosine, double sine);
+  /// A plane by its place among the planes: `Weight` azimuths a unit of it.
+  struct Plane
+  {
+    LampAzimuth Azimuth;
+    double Cosine, Sine; ///< of the azimuth from that of the centre
+    double Circle;       ///< radius of the lamp's circle in it
+    double Weight;
+  };
+  Plane PlaneAt(double cosine, double sine) const;
+  LampFacing FacingAt(const LampAzimuth& azimuth) const;
+  bool Walked(const Plane& plane, LampChord& chord);
+  bool AllDark(const LampNodes& nodes);
+  PlaneLight At(double cosine, double sine);
+  PlaneLight Inside(const Plane& plane) const;
   void Sum(double t0, const PlaneLight& p0, double t1, const PlaneLight& p1, int depth);
 
   const LampWalk& Walk;
   const LampSettings& Settings;
   LampWork& Work;
 
+  LampNodes Across, Around; ///< planes through a lamp beside the post, and over it
+
   LampReceiver Post{};
   double NormalUp = 1.0, NormalEast = 0.0, NormalNorth = 0.0;
   LampAzimuth Centre{ 0.0, 1.0 }; ///< azimuth of the lamp's centre
   double Level = 0.0, Rise = 0.0; ///< horizontal distance and height of the centre
   double Radius = 0.0;
-  double Power = 0.0;     ///< distance^2 - radius^2: below 0 inside
-  double HalfSwath = 0.0; ///< radians; 0: the lamp is seen in every azimuth
-  double Allowed = 0.0;   ///< error of an interval
+  double Power = 0.0;    ///< distance^2 - radius^2: below 0 inside
+  double Tangent = 0.0;  ///< root of it: length of the tangents
+  double SinSwath = 0.0; ///< sine of half the swath; 0: the lamp is seen in every azimuth
+  double Allowed = 0.0;  ///< error of an interval
   double HiddenBefore = std::numeric_limits<double>::infinity(); ///< metres before the centre
   PlaneLight Total;
 };
 
-PlaneLight LampView::Outside(const LampAzimuth& azimuth, double cosine, double sine)
+/// Planes are spaced evenly in t. The distance of the centre from a plane is radius x sin t, which
+/// makes the round ends of the disc smooth, and the circle's radius that times cos t; for a lamp all
+/// around t is the azimuth. cosine, sine: of t.
+LampView::Plane LampView::PlaneAt(double cosine, double sine) const
 {
-  const LampFacing facing{ this->NormalUp,
-    azimuth.East * this->NormalEast + azimuth.North * this->NormalNorth };
-  const double side = this->Level * sine;
-  const double circle = std::sqrt(std::max(0.0, (this->Radius - side) * (this->Radius + side)));
-  LampChord chord;
-  if (!chord.Set(this->Level * cosine, this->Rise, circle, std::sqrt(this->Power), facing))
+  Plane plane{ {}, cosine, sine, this->Radius * cosine, 1.0 };
+  if (this->SinSwath > 0.0)
   {
-    return {};
+    plane.Sine = this->SinSwath * sine;
+    plane.Cosine = std::sqrt((1.0 - plane.Sine) * (1.0 + plane.Sine));
+    plane.Weight = plane.Cosine > 0.0 ? this->SinSwath * cosine / plane.Cosine : 1.0;
+  }
+  else
+  {
+    const double side = this->Level * sine;
+    plane.Circle = std::sqrt(std::max(0.0, (this->Radius - side) * (this->Radius + side)));
+  }
+  plane.Azimuth = { this->Centre.East * plane.Cosine + this->Centre.North * plane.Sine,
+    this->Centre.North * plane.Cosine - this->Centre.East * plane.Sine };
+  return plane;
+}
+
+LampFacing LampView::FacingAt(const LampAzimuth& azimuth) const
+{
+  return { this->NormalUp, azimuth.East * this->NormalEast + azimuth.North * this->NormalNorth };
+}
+
+/// Holds the terrain of a plane against the lamp; false if it shows nothing of the lamp anyway.
+bool LampView::Walked(const Plane& plane, LampChord& chord)
+{
+  if (!chord.Set(this->Level * plane.Cosine, this->Rise, plane.Circle, this->Tangent,
+        this->FacingAt(plane.Azimuth)))
+  {
+    return false;
   }
   ++this->Work.Planes;
   // What hid the plane before mostly hides this one.
   const double guess = this->Level - this->HiddenBefore;
   if (guess > 0.0)
   {
-    this->Walk.Look(this->Post, azimuth, guess, chord);
+    this->Walk.Look(this->Post, plane.Azimuth, guess, chord);
   }
   if (!chord.Dark())
   {
-    this->Walk(this->Post, azimuth, chord);
+    this->Walk(this->Post, plane.Azimuth, chord);
   }
   if (chord.Dark())
   {
     this->HiddenBefore = this->Level - chord.NearPlace();
-    return { chord.Whole(), 0.0 };
   }
-  return { chord.Whole(), chord.Lit() };
+  return true;
+}
+
+/// Whether no plane lets light through: most posts that are not clear, found without an angle.
+bool LampView::AllDark(const LampNodes& nodes)
+{
+  LampChord chord;
+  for (std::size_t k = 0; k < nodes.Cosine.size(); ++k)
+  {
+    if (this->Walked(this->PlaneAt(nodes.Cosine[k], nodes.Sine[k]), chord) && !chord.Dark())
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// Light from everywhere but the disc opposite to the centre.
-PlaneLight LampView::Inside(const LampAzimuth& azimuth, double cosine, double sine)
+PlaneLight LampView::Inside(const Plane& plane) const
 {
-  const LampFacing facing{ this->NormalUp,
-    azimuth.East * this->NormalEast + azimuth.North * this->NormalNorth };
-  const double side = this->Level * sine;
+  const LampFacing facing = this->FacingAt(plane.Azimuth);
+  const double side = this->Level * plane.Sine;
   const double distance2 = this->Power + this->Radius * this->Radius;
   const double left = distance2 - side * side;
   double darkLow = 0.5 * Pi, darkHigh = 0.5 * Pi;
@@ -123,12 +194,12 @@ PlaneLight LampView::Inside(const LampAzimuth& azimuth, double cosine, double si
   {
     // Both in units of the radius: half the dark disc's chord, as ChordOfDisc finds it.
     const double half = std::atan2(std::sqrt(left), std::sqrt(-this->Power));
-    const double middle = std::atan2(-this->Rise, -this->Level * cosine);
+    const double middle = std::atan2(-this->Rise, -this->Level * plane.Cosine);
     darkLow = std::clamp(middle - half, -0.5 * Pi, 0.5 * Pi);
     darkHigh = std::clamp(middle + half, -0.5 * Pi, 0.5 * Pi);
   }
   StartSlope start;
-  this->Walk(this->Post, azimuth, start);
+  this->Walk(this->Post, plane.Azimuth, start);
   const auto above = [&](double low)
   {
     return FacingLight(facing, 0.0, low, std::max(low, darkLow)) +
@@ -138,18 +209,20 @@ PlaneLight LampView::Inside(const LampAzimuth& azimuth, double cosine, double si
   return { above(own), above(std::max(own, std::atan(start.Slope))) };
 }
 
-/// Planes are spaced evenly in t: the azimuth from the centre is half swath x sin t, which makes the
-/// round ends of the disc smooth, or t itself for a lamp all around.
-PlaneLight LampView::At(double t)
+PlaneLight LampView::At(double cosine, double sine)
 {
-  const double angle = this->HalfSwath > 0.0 ? this->HalfSwath * std::sin(t) : t;
-  const double weight = this->HalfSwath > 0.0 ? this->HalfSwath * std::cos(t) : 1.0;
-  const double cosine = std::cos(angle), sine = std::sin(angle);
-  const LampAzimuth azimuth{ this->Centre.East * cosine + this->Centre.North * sine,
-    this->Centre.North * cosine - this->Centre.East * sine };
-  const PlaneLight light =
-    this->Power > 0.0 ? this->Outside(azimuth, cosine, sine) : this->Inside(azimuth, cosine, sine);
-  return { weight * light.Whole, weight * light.Lit };
+  const Plane plane = this->PlaneAt(cosine, sine);
+  if (!(this->Power > 0.0))
+  {
+    const PlaneLight light = this->Inside(plane);
+    return { plane.Weight * light.Whole, plane.Weight * light.Lit };
+  }
+  LampChord chord;
+  if (!this->Walked(plane, chord))
+  {
+    return {};
+  }
+  return { plane.Weight * chord.Whole(), chord.Dark() ? 0.0 : plane.Weight * chord.Lit() };
 }
 
 void LampView::Sum(double t0, const PlaneLight& p0, double t1, const PlaneLight& p1, int depth)
@@ -164,7 +237,7 @@ void LampView::Sum(double t0, const PlaneLight& p0, double t1, const PlaneLight&
     return;
   }
   const double middle = 0.5 * (t0 + t1);
-  const PlaneLight p = this->At(middle);
+  const PlaneLight p = this->At(std::cos(middle), std::sin(middle));
   // The trapezium's error, from that with half its width: a third of their difference remains.
   if (std::abs(p0.Lit - 2.0 * p.Lit + p1.Lit) * 0.25 * width <= this->Allowed)
   {
@@ -190,38 +263,44 @@ double LampView::LitPart(const LampReceiver& post, double x, double y, double z,
     this->Level > 0.0 ? LampAzimuth{ x / this->Level, y / this->Level } : LampAzimuth{ 0.0, 1.0 };
   const double distance = std::hypot(this->Level, z);
   this->Power = (distance - radius) * (distance + radius);
-  this->HalfSwath =
-    this->Power > 0.0 && radius < this->Level ? std::asin(radius / this->Level) : 0.0;
+  this->Tangent = std::sqrt(std::max(0.0, this->Power));
+  this->SinSwath = this->Power > 0.0 && radius < this->Level ? radius / this->Level : 0.0;
   this->Total = {};
-  if (this->HalfSwath > 0.0)
+  const bool around = this->SinSwath == 0.0;
+  const LampNodes& nodes = around ? this->Around : this->Across;
+  if (!around && this->SinSwath < WidestFan)
   {
     // The lowest tangent lies in the plane of the centre.
-    const double tangent = std::sqrt(this->Power);
-    const double along = this->Level * tangent + z * radius;
-    const double end = std::min(tangent, this->Level + radius);
-    if (along > 0.0 && this->HalfSwath < WidestFan &&
-      this->Walk.Clear(
-        post, this->Centre, this->HalfSwath, end, (z * tangent - this->Level * radius) / along))
+    const double along = this->Level * this->Tangent + z * radius;
+    const double end = std::min(this->Tangent, this->Level + radius);
+    // What lies under the receiver's plane is out of sight as well; the plane's own slope is least at
+    // the fan's rim, half a swath (at most 1.42 times its sine) from the middle.
+    const double gradient = std::hypot(east, north) / up;
+    const double own = FacingSlope(this->FacingAt(this->Centre)) - 1.42 * this->SinSwath * gradient;
+    const double slope = std::max(own, (z * this->Tangent - this->Level * radius) / along);
+    if (along > 0.0 && this->Walk.Clear(post, this->Centre, this->SinSwath, end, slope))
     {
       return 1.0;
     }
   }
-
-  const bool around = this->HalfSwath == 0.0;
-  const int intervals = std::max(2, this->Settings.Azimuths) * (around ? AroundFactor : 1);
-  const double begin = around ? -Pi : -0.5 * Pi;
-  const double step = -2.0 * begin / intervals;
-  const double cosine = (up * z + east * x + north * y) / std::max(distance, 1e-300);
-  this->Allowed = this->Settings.Tolerance / intervals *
-    DiscIrradiance(DiscOfLamp(radius, distance), distance > 0.0 ? cosine : 1.0);
-
-  // At the ends of a swath the disc has no width; all around, the last plane is the first.
-  const PlaneLight first = around ? this->At(begin) : PlaneLight{};
-  PlaneLight before = first;
-  for (int k = 1; k <= intervals; ++k)
+  if (this->Power > 0.0 && this->AllDark(nodes))
   {
-    const double t = begin + k * step;
-    const PlaneLight next = k < intervals ? this->At(t) : first;
+    return 0.0;
+  }
+
+  const double step = (around ? 2.0 * Pi : Pi) / static_cast<double>(nodes.Intervals);
+  const double cosine = (up * z + east * x + north * y) / std::max(distance, 1e-300);
+  this->Allowed = this->Settings.Tolerance / static_cast<double>(nodes.Intervals) *
+    DiscIrradiance(DiscOfLamp(radius, distance), distance > 0.0 ? cosine : 1.0);
+  // At the ends of a swath the disc has no width; all around, the last plane is the first.
+  const PlaneLight first = around ? this->At(nodes.Cosine[0], nodes.Sine[0]) : PlaneLight{};
+  PlaneLight before = first;
+  for (std::size_t k = 1; k <= nodes.Intervals; ++k)
+  {
+    const std::size_t node = around ? k : k - 1;
+    const PlaneLight next =
+      k < nodes.Intervals ? this->At(nodes.Cosine[node], nodes.Sine[node]) : first;
+    const double t = nodes.Begin + static_cast<double>(k) * step;
     this->Sum(t - step, before, t, next, DeepestSplit);
     before = next;
   }

@@ -13,26 +13,63 @@ bool LampWalk::ClearStart(const Fan& fan, std::ptrdiff_t column, std::ptrdiff_t 
   {
     return true;
   }
+  // The quadrant of directions over the cell, and the part of it over each triangle, may lie outside
+  // the fan: no direction of that is further than Turn from its middle.
+  const bool atEast = fan.From.Column != column, atNorth = fan.From.Row != row;
+  if ((atEast ? -fan.Azimuth.East : fan.Azimuth.East) < -fan.Turn ||
+    (atNorth ? -fan.Azimuth.North : fan.Azimuth.North) < -fan.Turn)
+  {
+    return true;
+  }
   const double south = low[0], east = low[1], north = high[0], far = high[1];
   const double dx = this->Lattice.SpacingX, dy = this->Lattice.SpacingY;
-  // A plane's slope over the fan is that along its middle, and the gradient times the fan's half
-  // width more at most.
+  // A plane's slope over the fan is that along its middle, and the gradient times the way that the
+  // direction turns more at most.
   const auto clear = [&](double gx, double gy, double more)
   {
     return gx * fan.Azimuth.East + gy * fan.Azimuth.North +
-      std::sqrt(gx * gx + gy * gy) * fan.HalfWidth + more <=
+      std::sqrt(gx * gx + gy * gy) * fan.Turn + more <=
       fan.Slope;
   };
   if (this->Shape == Surface::Triangles)
   {
-    return clear((east - south) / dx, (far - east) / dy, 0.0) &&
-      clear((far - north) / dx, (north - south) / dy, 0.0);
+    const double side = fan.Azimuth.East * dy - fan.Azimuth.North * dx; // above 0: south-east
+    const double reach = fan.Turn * std::sqrt(dx * dx + dy * dy);
+    const bool diagonal = atEast == atNorth; // both triangles meet in the post
+    const bool southEast = diagonal ? side >= -reach : atEast;
+    const bool northWest = diagonal ? side <= reach : atNorth;
+    return (!southEast || clear((east - south) / dx, (far - east) / dy, 0.0)) &&
+      (!northWest || clear((far - north) / dx, (north - south) / dy, 0.0));
   }
   // A patch adds twist a b / s along the ray, s >= sqrt(2 a b dx dy), a and b up to 1.
-  const bool atEast = fan.From.Column != column, atNorth = fan.From.Row != row;
   const double twist = far - east - north + south;
   return clear((atNorth ? far - north : east - south) / dx,
     (atEast ? far - east : north - south) / dy, std::abs(twist) / std::sqrt(2.0 * dx * dy));
+}
+
+/// Height less the line of sight, linear or bilinear in the cell, is greatest at a corner: for slopes
+/// above 0 the distance is at least its part along the direction to the cell's middle (x, y), which
+/// is linear; for those below, less slope times distance is convex.
+bool LampWalk::ClearCell(
+  const Fan& fan, std::ptrdiff_t column, std::ptrdiff_t row, double x, double y, double sink) const
+{
+  const double scale = 1.0 / std::sqrt(x * x + y * y);
+  const double hx = 0.5 * this->Lattice.SpacingX, hy = 0.5 * this->Lattice.SpacingY;
+  for (std::ptrdiff_t n = 0; n < 2; ++n)
+  {
+    const float* line = this->Plane->Line(row + n) + column;
+    const double v = n == 0 ? y - hy : y + hy;
+    for (std::ptrdiff_t m = 0; m < 2; ++m)
+    {
+      const double u = m == 0 ? x - hx : x + hx;
+      const double place = fan.Slope > 0.0 ? (u * x + v * y) * scale : std::sqrt(u * u + v * v);
+      if (line[m] - fan.From.Height - sink > fan.Slope * place)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 bool LampWalk::ClearBlock(
@@ -79,7 +116,8 @@ bool LampWalk::ClearBlock(
   }
   if (level == 0)
   {
-    return near2 == 0.0 && this->ClearStart(fan, column, row);
+    return near2 > 0.0 ? this->ClearCell(fan, column, row, x, y, this->Sink * near2)
+                       : this->ClearStart(fan, column, row);
   }
   // The four quarters, those inside the data.
   const std::ptrdiff_t half = size / 2;
@@ -91,10 +129,13 @@ bool LampWalk::ClearBlock(
     (!moreX || !moreY || this->ClearBlock(fan, level - 1, column + half, row + half));
 }
 
-bool LampWalk::Clear(const LampReceiver& from, const LampAzimuth& azimuth, double halfWidth,
+bool LampWalk::Clear(const LampReceiver& from, const LampAzimuth& azimuth, double sinSwath,
   double end, double slope) const
 {
-  const Fan fan{ from, azimuth, halfWidth, std::tan(halfWidth), end, slope };
+  // The chord 2 sin(w / 2) of the half swath w bounds what a gradient can gain by turning to its rim.
+  const double cosine = std::sqrt((1.0 - sinSwath) * (1.0 + sinSwath));
+  const Fan fan{ from, azimuth, sinSwath / std::sqrt(0.5 * (1.0 + cosine)), sinSwath / cosine, end,
+    slope };
   return this->ClearBlock(fan, this->Terrain->Levels(), 0, 0);
 }
 

@@ -56,9 +56,9 @@ public:
     const LampReceiver& from, const LampAzimuth& azimuth, double distance, Visitor& visitor) const;
 
   /// Whether surely no terrain stands above `slope` (metres of height, less the body's sink, a metre
-  /// of distance from the receiver) within `halfWidth` radians of an azimuth, below pi / 2, and
-  /// `end` metres.
-  bool Clear(const LampReceiver& from, const LampAzimuth& azimuth, double halfWidth, double end,
+  /// of distance from the receiver) within half a swath of an azimuth, given by its sine below 1,
+  /// and `end` metres.
+  bool Clear(const LampReceiver& from, const LampAzimuth& azimuth, double sinSwath, double end,
     double slope) const;
 
 private:
@@ -70,9 +70,11 @@ private:
   {
     LampReceiver From;
     LampAzimuth Azimuth;
-    double HalfWidth, Spread, End, Slope; ///< Spread: tangent of HalfWidth
+    double Turn, Spread, End, Slope; ///< chord and tangent of half the swath
   };
   bool ClearBlock(const Fan& fan, int level, std::ptrdiff_t column, std::ptrdiff_t row) const;
+  bool ClearCell(const Fan& fan, std::ptrdiff_t column, std::ptrdiff_t row, double x, double y,
+    double sink) const;
   bool ClearStart(const Fan& fan, std::ptrdiff_t column, std::ptrdiff_t row) const;
   struct Cell
   {
