@@ -12,6 +12,7 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -42,6 +43,9 @@ std::string Reason(const std::string& error)
   const std::string line = FirstLine(error);
   return line.substr(0, line.find_last_not_of(". ") + 1);
 }
+
+/// Of the file, and of its display window: 32768 x 16384.
+constexpr std::int64_t MostPixels = std::int64_t(1) << 29;
 
 std::string Dimensions(int columns, int rows)
 {
@@ -179,6 +183,13 @@ void LightMapFile::FindShape()
     this->Refuse("it has " + Dimensions(spec.width, spec.height) +
       " pixels; give a latitude-longitude map, such as 1024 x 512");
   }
+  const std::int64_t pixels = static_cast<std::int64_t>(spec.width) * spec.height;
+  const std::int64_t full = static_cast<std::int64_t>(spec.full_width) * spec.full_height;
+  if (std::max(pixels, full) > MostPixels)
+  {
+    this->Refuse("it has " + Dimensions(spec.width, spec.height) +
+      " pixels; give a map of 32768 x 16384 at most");
+  }
   // The display window is the whole sphere where it says so, and then the pixels may be part of it.
   if (spec.full_width > 0 && spec.full_width == 2 * spec.full_height)
   {
@@ -206,13 +217,14 @@ void LightMapFile::FindShape()
   this->Rows = static_cast<int>(2 * size);
 }
 
-std::vector<float> LightMapFile::ReadPixels(const ProgressFunction& progress)
+std::unique_ptr<float[]> LightMapFile::ReadPixels(const ProgressFunction& progress)
 {
   const std::size_t count = static_cast<std::size_t>(this->Spec.width) * this->Spec.height;
-  std::vector<float> values(3 * count);
+  // Not filled: a damaged header may promise gigabytes that the file does not hold.
+  std::unique_ptr<float[]> values(new float[3 * count]);
   ProgressBridge bridge{ progress, false, nullptr };
   const bool read = this->Input->read_image(0, 0, this->FirstChannel,
-    this->FirstChannel + this->Channels, OIIO::TypeDesc::FLOAT, values.data(), 3 * sizeof(float),
+    this->FirstChannel + this->Channels, OIIO::TypeDesc::FLOAT, values.get(), 3 * sizeof(float),
     OIIO::AutoStride, OIIO::AutoStride, &ProgressBridge::Call, &bridge);
   if (bridge.Thrown)
   {
@@ -239,7 +251,7 @@ std::vector<float> LightMapFile::ReadPixels(const ProgressFunction& progress)
 }
 
 /// Copies rows of the file from the top to rows of the map from the bottom.
-void LightMapFile::PlaceInWindow(const std::vector<float>& values, float* pixels) const
+void LightMapFile::PlaceInWindow(const float* values, float* pixels) const
 {
   const OIIO::ImageSpec& spec = this->Spec;
   const int right = spec.x - spec.full_x, below = spec.y - spec.full_y;
@@ -247,7 +259,7 @@ void LightMapFile::PlaceInWindow(const std::vector<float>& values, float* pixels
   std::fill_n(pixels, 3 * static_cast<std::ptrdiff_t>(this->Columns) * this->Rows, 0.0f);
   for (int line = std::max(0, -below); line < std::min(spec.height, this->Rows - below); ++line)
   {
-    const float* from = values.data() + 3 * static_cast<std::ptrdiff_t>(spec.width) * line;
+    const float* from = values + 3 * static_cast<std::ptrdiff_t>(spec.width) * line;
     float* to =
       pixels + 3 * static_cast<std::ptrdiff_t>(this->Columns) * (this->Rows - 1 - line - below);
     if (begin < end)
@@ -259,17 +271,17 @@ void LightMapFile::PlaceInWindow(const std::vector<float>& values, float* pixels
 
 LightMapDefects LightMapFile::Read(float* pixels, const ProgressFunction& progress)
 {
-  std::vector<float> values = this->ReadPixels(progress);
-  const LightMapDefects defects =
-    SanitizeLightMap(values.data(), static_cast<std::ptrdiff_t>(values.size() / 3));
+  const std::unique_ptr<float[]> values = this->ReadPixels(progress);
+  const LightMapDefects defects = SanitizeLightMap(
+    values.get(), static_cast<std::ptrdiff_t>(this->Spec.width) * this->Spec.height);
   if (!this->Cube)
   {
-    this->PlaceInWindow(values, pixels);
+    this->PlaceInWindow(values.get(), pixels);
     return defects;
   }
 
   CubeMap cube = this->Faces;
-  cube.Values = values.data();
+  cube.Values = values.get();
   cube.RowStride = 3 * static_cast<std::ptrdiff_t>(this->Spec.width);
   if (!UnusedPixelsAlike(cube))
   {

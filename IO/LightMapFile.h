@@ -11,7 +11,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace skyline
 {
@@ -41,8 +40,8 @@ private:
   void Open();
   void FindChannels();
   void FindShape();
-  std::vector<float> ReadPixels(const ProgressFunction& progress);
-  void PlaceInWindow(const std::vector<float>& values, float* pixels) const;
+  std::unique_ptr<float[]> ReadPixels(const ProgressFunction& progress);
+  void PlaceInWindow(const float* values, float* pixels) const;
   [[noreturn]] void Refuse(const std::string& reason) const;
 
   std::string File;

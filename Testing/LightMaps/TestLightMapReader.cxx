@@ -421,6 +421,16 @@ TEST(LightMapReaderFailures, ZeroSized)
   }
 }
 
+// What a damaged header may say; nothing of that size may be filled before the pixels are there.
+TEST(LightMapReaderFailures, HugeHeader)
+{
+  const std::string path = OutputPath("huge.hdr");
+  std::ofstream(path) << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1000000 +X 2000000\n";
+  ExpectFailure(path, vtkErrorCode::FileFormatError, "32768 x 16384 at most");
+  std::ofstream(path) << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8192 +X 16384\n";
+  ExpectFailure(path, vtkErrorCode::PrematureEndOfFileError, "cannot read the pixels");
+}
+
 TEST(LightMapReaderFailures, NotTwoToOneAndNoCube)
 {
   Picture picture;
