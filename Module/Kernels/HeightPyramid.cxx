@@ -36,6 +36,16 @@ std::vector<LinearTaps> DecimationTaps(double ratio, std::ptrdiff_t fine, std::p
   return taps;
 }
 
+std::vector<SplineTaps> TapsOf(double scale, std::ptrdiff_t posts, std::ptrdiff_t samples)
+{
+  std::vector<SplineTaps> taps(static_cast<std::size_t>(posts));
+  for (std::ptrdiff_t post = 0; post < posts; ++post)
+  {
+    taps[static_cast<std::size_t>(post)] = TapsAt(static_cast<double>(post), scale, samples);
+  }
+  return taps;
+}
+
 std::ptrdiff_t SamplesOf(std::ptrdiff_t posts, double scale)
 {
   // 1e-9: the scale is a power of the rounded ratio.
@@ -119,15 +129,9 @@ HeightPyramid::HeightPyramid(const HeightField& field, double step)
   for (const PyramidLevel& level : this->Pyramid)
   {
     this->FirstRow.push_back(this->FirstRow.back() + level.Rows);
-    this->Taps.emplace_back();
-    if (&level != &this->Pyramid.back())
-    {
-      for (std::ptrdiff_t column = 0; column < grid.Columns; ++column)
-      {
-        this->Taps.back().push_back(
-          TapsAt(static_cast<double>(column), level.Scale, level.Columns));
-      }
-    }
+    const bool last = &level == &finest; // read as it is
+    this->Across.push_back(TapsOf(level.Scale, last ? 0 : grid.Columns, level.Columns));
+    this->Along.push_back(TapsOf(level.Scale, last ? 0 : grid.Rows, level.Rows));
   }
   this->Expanded.resize(static_cast<std::size_t>(this->RowCount() * this->Stride));
   this->ExpandedCoverage.resize(this->Missing ? this->Expanded.size() : 0);
@@ -183,7 +187,7 @@ void HeightPyramid::Expand(std::ptrdiff_t begin, std::ptrdiff_t end)
 void HeightPyramid::ExpandRow(int i, std::ptrdiff_t row)
 {
   const PyramidLevel& level = this->Level(i);
-  const std::vector<SplineTaps>& taps = this->Taps[static_cast<std::size_t>(i)];
+  const std::vector<SplineTaps>& taps = this->Across[static_cast<std::size_t>(i)];
   const auto expand = [&](const std::vector<float>& samples, const std::vector<float>& rows)
   {
     const float* from = samples.data() + row * level.Columns;

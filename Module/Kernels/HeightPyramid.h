@@ -60,6 +60,12 @@ public:
   const PyramidLevel& Level(int i) const { return this->Pyramid[static_cast<std::size_t>(i)]; }
   bool HasMissing() const { return this->Missing; }
 
+  /// The rows of level i, not the finest, that a row of posts is splined from.
+  const SplineTaps& RowTaps(int i, std::ptrdiff_t row) const
+  {
+    return this->Along[static_cast<std::size_t>(i)][static_cast<std::size_t>(row)];
+  }
+
   /// Lanes that may be read before and after a row.
   static constexpr std::ptrdiff_t Margin = 64;
 
@@ -81,8 +87,8 @@ private:
   }
 
   std::vector<PyramidLevel> Pyramid;
-  std::vector<std::ptrdiff_t> FirstRow;      // of each level among all rows, and their number
-  std::vector<std::vector<SplineTaps>> Taps; // of each level, a column of the field
+  std::vector<std::ptrdiff_t> FirstRow; // of each level among all rows, and their number
+  std::vector<std::vector<SplineTaps>> Across, Along; // of each level, a column or row of posts
   std::ptrdiff_t Columns = 0, Stride = 0;
   std::vector<float> Expanded, ExpandedCoverage;
   bool Missing = false;

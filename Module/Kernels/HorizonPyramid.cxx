@@ -206,29 +206,38 @@ HWY_EXPORT(FindLine);
 namespace
 {
 
-/// Adds the taps of a whole row of posts, times a weight; a row that is there already takes it.
-void AddRow(const HeightPyramid& pyramid, int level, double row, double weight, RowTaps& taps)
+void AddTap(
+  const HeightPyramid& pyramid, int level, std::ptrdiff_t sample, float weight, RowTaps& taps)
 {
-  const PyramidLevel& samples = pyramid.Level(level);
-  SplineTaps spline{ { 1.0f, 0.0f, 0.0f, 0.0f }, { static_cast<std::ptrdiff_t>(row), 0, 0, 0 } };
-  const bool finest = level == pyramid.Levels() - 1; // the field itself, not smoothed
-  if (!finest)
+  const float* values = pyramid.Row(level, sample);
+  int tap = 0;
+  while (tap < taps.Count && taps.Rows[tap] != values)
   {
-    spline = TapsAt(row, samples.Scale, samples.Rows);
+    ++tap;
   }
-  for (std::size_t k = 0; k < (finest ? 1u : 4u); ++k)
+  if (tap == taps.Count)
   {
-    const float* values = pyramid.Row(level, spline.Samples[k]);
-    const float* const* place = std::find(taps.Rows, taps.Rows + taps.Count, values);
-    const auto tap = place - taps.Rows;
-    if (tap == taps.Count)
-    {
-      ++taps.Count;
-      taps.Rows[tap] = values;
-      taps.Coverage[tap] =
-        pyramid.HasMissing() ? pyramid.CoverageRow(level, spline.Samples[k]) : nullptr;
-    }
-    taps.Weights[tap] += spline.Weights[k] * static_cast<float>(weight);
+    ++taps.Count;
+    taps.Rows[tap] = values;
+    taps.Coverage[tap] = pyramid.HasMissing() ? pyramid.CoverageRow(level, sample) : nullptr;
+  }
+  taps.Weights[tap] += weight;
+}
+
+/// Adds the taps of a row of posts, times a weight; a row that is there already takes it.
+void AddRow(
+  const HeightPyramid& pyramid, int level, std::ptrdiff_t row, double weight, RowTaps& taps)
+{
+  const auto share = static_cast<float>(weight);
+  if (level == pyramid.Levels() - 1)
+  {
+    AddTap(pyramid, level, row, share, taps); // the field itself, not smoothed
+    return;
+  }
+  const SplineTaps& spline = pyramid.RowTaps(level, row);
+  for (std::size_t k = 0; k < spline.Weights.size(); ++k)
+  {
+    AddTap(pyramid, level, spline.Samples[k], spline.Weights[k] * share, taps);
   }
 }
 
@@ -259,12 +268,13 @@ LevelTask TaskOf(const HeightPyramid& pyramid, const PyramidReach& reach, double
     task.Begin = task.End = 0;
     return task;
   }
-  AddRow(pyramid, reach.Level, static_cast<double>(row), 1.0, task.Receiver);
+  AddRow(pyramid, reach.Level, row, 1.0, task.Receiver);
   const double part = std::max(0.0, there - low);
-  AddRow(pyramid, reach.Level, low, 1.0 - part, task.Caster);
+  const auto lowRow = static_cast<std::ptrdiff_t>(low);
+  AddRow(pyramid, reach.Level, lowRow, 1.0 - part, task.Caster);
   if (part > 1.0e-9)
   {
-    AddRow(pyramid, reach.Level, low + 1.0, part, task.Caster);
+    AddRow(pyramid, reach.Level, lowRow + 1, part, task.Caster);
   }
   const double left = std::floor(reach.East + 1.0e-9);
   task.Shift = static_cast<std::ptrdiff_t>(left);
