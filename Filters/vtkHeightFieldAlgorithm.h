@@ -34,7 +34,7 @@ public:
   enum MethodType
   {
     EXACT = 0,  ///< every edge of the surface that can matter
-    FAST = 1,   ///< below the exact horizon by 0.2 degrees at most
+    FAST = 1,   ///< below the exact horizon by 0.25 degrees at most
     SWEEP = 2,  ///< Timonen & Westerholm 2010 as published, resampled: off by degrees at places
     PYRAMID = 3 ///< Snyder & Nowrouzezahrai 2008: smooth, off by a degree, horizons of 0 at least
   };

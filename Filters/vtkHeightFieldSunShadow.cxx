@@ -8,6 +8,9 @@
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 
+#include <stdexcept>
+#include <string>
+
 vtkStandardNewMacro(vtkHeightFieldSunShadow);
 
 void vtkHeightFieldSunShadow::PrintSelf(ostream& os, vtkIndent indent)
@@ -16,6 +19,7 @@ void vtkHeightFieldSunShadow::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SunAzimuth: " << this->SunAzimuth << "\n"
      << indent << "SunElevation: " << this->SunElevation << "\n"
      << indent << "SunAngularRadius: " << this->SunAngularRadius << "\n"
+     << indent << "TrueRadius: " << this->TrueRadius << "\n"
      << indent << "UseTime: " << this->UseTime << "\n"
      << indent << "Time: " << this->Time << "\n"
      << indent << "LimbDarkening: " << this->LimbDarkening << "\n"
@@ -28,6 +32,12 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
   const skyline::SunField sun = this->UseTime
     ? skyline::SunField(scene.Place(), skyline::ParseUtcTime(this->Time), scene.MeanHeight())
     : skyline::SunField::Constant(this->SunAzimuth, this->SunElevation, this->SunAngularRadius);
+  const double radius = this->UseTime && this->TrueRadius ? sun.Radius() : this->SunAngularRadius;
+  if (!(radius >= 0.0 && radius < 90.0))
+  {
+    throw std::out_of_range(
+      "sun radius " + std::to_string(radius) + " is outside 0 to below 90; give degrees");
+  }
   double firstAzimuth = 0.0;
   double lastAzimuth = 0.0;
   double least = 0.0;
@@ -35,7 +45,7 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
   sun.AzimuthBounds(firstAzimuth, lastAzimuth);
   sun.ElevationBounds(least, greatest);
   std::vector<double> azimuths = skyline::SunAzimuths(firstAzimuth * radians, lastAzimuth * radians,
-    least * radians, greatest * radians, sun.Radius() * radians);
+    least * radians, greatest * radians, radius * radians);
   for (double& azimuth : azimuths)
   {
     azimuth *= skyline::DegreesPerRadian;
@@ -54,12 +64,12 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
                               float* x, float* y, float* z)
     { sun.Row(row, column, count, x, y, z); };
     finished = run(skyline::SunAccumulator(
-      posts.Columns, posts.Rows, directions, sun.Radius() * radians, buffer, darkening));
+      posts.Columns, posts.Rows, directions, radius * radians, buffer, darkening));
   }
   else
   {
     const skyline::SunDisc disc{ this->SunAzimuth * radians, this->SunElevation * radians,
-      this->SunAngularRadius * radians };
+      radius * radians };
     finished = run(skyline::SunAccumulator(posts.Columns, posts.Rows, disc, buffer, darkening));
   }
   if (finished)

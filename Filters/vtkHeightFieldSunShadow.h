@@ -32,9 +32,16 @@ public:
 
   ///@{
   /// Angular radius of the disc, degrees, 0 (a point) to below 90; default 0.26645, the mean sun's.
-  /// With UseTime the radius follows from the sun's distance.
+  /// With UseTime and TrueRadius it is unused.
   vtkSetMacro(SunAngularRadius, double);
   vtkGetMacro(SunAngularRadius, double);
+  ///@}
+
+  ///@{
+  /// With UseTime, take the angular radius that follows from the sun's distance; default on.
+  vtkSetMacro(TrueRadius, bool);
+  vtkGetMacro(TrueRadius, bool);
+  vtkBooleanMacro(TrueRadius, bool);
   ///@}
 
   ///@{
@@ -66,6 +73,7 @@ protected:
   double SunAzimuth = 315.0;
   double SunElevation = 45.0;
   double SunAngularRadius = 0.26645;
+  bool TrueRadius = true;
   bool UseTime = false;
   std::string Time;
   bool LimbDarkening = false;

@@ -69,8 +69,7 @@ void SunOptions::AddTo(CLI::App& command)
   command
     .add_option("--sun-radius", this->Radius,
       "Angular radius of the sun's disc in degrees, 0 to less than 90; 0: hard shadows.\n"
-      "Default: the true one with --time, 0.26645 otherwise. Given with --time, all posts\n"
-      "get the sun of the DEM's centre")
+      "Default: the true one with --time, 0.26645 otherwise")
     ->type_name("DEG");
   command.add_flag("--limb-darkening", this->LimbDarkening,
     "Let the sun's disc be darker at its edge, as the true one is");
@@ -141,8 +140,8 @@ void ApplySun(const SunOptions& options, const SunLight& sun, vtkHeightFieldSunS
   shadow->SetSunAzimuth(sun.GridAzimuth);
   shadow->SetSunElevation(sun.ApparentElevation);
   shadow->SetSunAngularRadius(sun.Radius);
-  // By time the filter takes the true radius; another one goes with one direction for all posts.
-  shadow->SetUseTime(sun.FromTime && options.Radius == TrueRadius);
+  shadow->SetTrueRadius(options.Radius == TrueRadius);
+  shadow->SetUseTime(sun.FromTime);
   shadow->SetTime(options.Time.c_str());
   shadow->SetLimbDarkening(options.LimbDarkening);
 }

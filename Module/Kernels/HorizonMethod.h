@@ -23,7 +23,7 @@ enum class HorizonMethodKind
   Pyramid ///< the pyramid of Snyder & Nowrouzezahrai 2008, section 4: smooth, off by a degree
 };
 
-/// Radians by which Fast may miss, certified for every surface and height: 0.2 degrees. On terrain
+/// Radians by which Fast may miss, certified for every surface and height: 0.25 degrees. On terrain
 /// the rmse stays below 0.03 degrees (Testing/Benchmarks prints it).
 constexpr double FastTolerance = 0.25 * RadiansPerDegree;
 

@@ -19,7 +19,7 @@ namespace
 {
 
 /// Intervals that the swath of a sun is cut into.
-constexpr int IntervalsPerSwath = 8;
+constexpr int IntervalsPerSwath = 16;
 
 /// Intervals of the circle when the zenith or the nadir lies in the disc: 15 degrees each.
 constexpr int IntervalsPerCircle = 24;

@@ -124,6 +124,17 @@ TEST(SunShadow, TimeOfDay)
   const double morning = mean("2026-06-21T13:00Z");
   EXPECT_GT(morning, 0.1);
   EXPECT_LT(morning, 0.9);
+
+  // A point in the place of the disc: every post is lit or dark.
+  filter->TrueRadiusOff();
+  filter->SetSunAngularRadius(0.0);
+  EXPECT_NEAR(mean("2026-06-21T13:00Z"), morning, 0.01);
+  vtkFloatArray* visibility = ArrayOf(filter, "SunVisibility");
+  for (vtkIdType post = 0; post < visibility->GetNumberOfTuples(); ++post)
+  {
+    const float lit = visibility->GetValue(post);
+    ASSERT_TRUE(lit == 0.0f || lit == 1.0f) << post;
+  }
 }
 
 } // namespace

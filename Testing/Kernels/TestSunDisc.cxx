@@ -118,7 +118,7 @@ TEST(SunDisc, AzimuthsCoverTheSwathAndAreFew)
 {
   const double radius = MeanSunRadius * RadiansPerDegree;
   const std::vector<double> one = SunAzimuths(3.0, 3.0, 0.5, 0.5, radius);
-  EXPECT_EQ(one.size(), 9u);
+  EXPECT_EQ(one.size(), 17u);
   EXPECT_NEAR(one.front(), 3.0 - HalfSwath(0.5, radius), 1e-12);
   EXPECT_NEAR(one.back(), 3.0 + HalfSwath(0.5, radius), 1e-12);
 

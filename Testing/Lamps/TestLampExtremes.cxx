@@ -239,7 +239,7 @@ TEST(LampExtremes, FarAwayItIsTheSun)
     EXPECT_LE(rms, before + 1e-6);
     before = rms;
   }
-  // The sun's nine azimuths err, more than the lamp's planes.
+  // The sun's azimuths err more than the lamp's planes do.
   EXPECT_LT(before, 0.01);
 }
 
