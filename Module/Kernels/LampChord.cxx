@@ -249,10 +249,15 @@ void LampChord::HideHigh(double s0, double z0, double s1, double z1)
 
 double LampChord::Lit()
 {
-  this->FindAngles();
+  const double whole = this->Whole();
+  const double clear = std::max(FacingSlope(this->Facing), this->LowSlope);
+  if (this->Near <= clear && this->LowTop <= clear && this->Gone == 0.0)
+  {
+    return whole; // nothing in the way, and no angle more
+  }
   const double lit = this->Between(this->LowTop, this->TurnSlope) +
     this->Between(std::max(this->Near, this->TurnSlope), Infinite) - this->Gone;
-  return lit > Nothing * this->Whole() ? lit : 0.0;
+  return lit > Nothing * whole ? lit : 0.0;
 }
 
 } // namespace skyline

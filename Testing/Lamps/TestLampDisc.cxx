@@ -108,8 +108,9 @@ TEST(LampDisc, IsContinuousOnTheWayIntoTheLamp)
 TEST(LampDisc, GrowsOnTheWayIn)
 {
   double before = 0.0;
-  for (double distance = 20.0; distance >= 0.0; distance -= 0.25)
+  for (int step = 80; step >= 0; --step)
   {
+    const double distance = 0.25 * step;
     const double now = DiscIrradiance(DiscOfLamp(5.0, distance), 0.3);
     EXPECT_GE(now, before - RoundingBound) << distance;
     before = now;
