@@ -21,7 +21,7 @@ bool vtkHeightFieldHorizon::Compute(skyline::HorizonScene& scene, vtkImageData* 
   const std::vector<double> azimuths = skyline::EvenAzimuths(this->NumberOfAzimuths);
   vtkFloatArray* horizon = scene.AddArray(output, "HorizonElevation", this->NumberOfAzimuths);
   skyline::StoreAccumulator store(
-    scene.Posts().Columns, horizon->GetPointer(0), this->NumberOfAzimuths);
+    scene.Posts().Columns, scene.Posts().Rows, horizon->GetPointer(0), this->NumberOfAzimuths);
   if (!scene.Run(azimuths, 0.0, store))
   {
     return false;

@@ -54,28 +54,43 @@ namespace skyline
 
 HWY_EXPORT(ToDegrees);
 
-StoreAccumulator::StoreAccumulator(
-  std::ptrdiff_t columns, float* values, std::ptrdiff_t postStride, std::ptrdiff_t azimuthStride)
+namespace
+{
+constexpr std::ptrdiff_t LineFloats = 16; // floats of a cache line
+}
+
+StoreAccumulator::StoreAccumulator(std::ptrdiff_t columns, std::ptrdiff_t rows, float* values,
+  std::ptrdiff_t postStride, std::ptrdiff_t azimuthStride)
   : Columns(columns)
+  , Posts(columns * rows)
   , Values(values)
   , PostStride(postStride)
   , AzimuthStride(azimuthStride)
+  , Batch(std::min(LineFloats, postStride))
 {
 }
 
 void StoreAccumulator::Begin(double, double)
 {
   ++this->Azimuth;
+  this->Gathered.resize(static_cast<std::size_t>((this->Batch - 1) * this->Posts));
 }
 
 void StoreAccumulator::Add(
   std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count, const float* slopes)
 {
-  float* out = this->Values + (row * this->Columns + column) * this->PostStride +
-    this->Azimuth * this->AzimuthStride;
-  if (this->PostStride == 1)
+  const std::ptrdiff_t post = row * this->Columns + column;
+  if (this->Batch == 1)
   {
-    HWY_DYNAMIC_DISPATCH(ToDegrees)(slopes, count, out);
+    HWY_DYNAMIC_DISPATCH(ToDegrees)
+    (slopes, count, this->Values + post + this->Azimuth * this->AzimuthStride);
+    return;
+  }
+  const std::ptrdiff_t plane = this->Azimuth % this->Batch;
+  if (plane < this->Batch - 1)
+  {
+    HWY_DYNAMIC_DISPATCH(ToDegrees)
+    (slopes, count, this->Gathered.data() + plane * this->Posts + post);
     return;
   }
   constexpr std::ptrdiff_t Piece = 256;
@@ -84,14 +99,39 @@ void StoreAccumulator::Add(
   {
     const std::ptrdiff_t size = std::min(Piece, count - begin);
     HWY_DYNAMIC_DISPATCH(ToDegrees)(slopes + begin, size, degrees);
+    this->WriteBatch(post + begin, size, plane);
+    float* out =
+      this->Values + (post + begin) * this->PostStride + this->Azimuth * this->AzimuthStride;
     for (std::ptrdiff_t i = 0; i < size; ++i)
     {
-      out[(begin + i) * this->PostStride] = degrees[i];
+      out[i * this->PostStride] = degrees[i];
     }
   }
 }
 
-void StoreAccumulator::Finish(std::ptrdiff_t, std::ptrdiff_t) {}
+void StoreAccumulator::WriteBatch(
+  std::ptrdiff_t post, std::ptrdiff_t count, std::ptrdiff_t gathered)
+{
+  const std::ptrdiff_t first = this->Azimuth / this->Batch * this->Batch;
+  const float* planes = this->Gathered.data() + post;
+  float* out = this->Values + post * this->PostStride + first * this->AzimuthStride;
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+  {
+    for (std::ptrdiff_t plane = 0; plane < gathered; ++plane)
+    {
+      out[i * this->PostStride + plane * this->AzimuthStride] = planes[plane * this->Posts + i];
+    }
+  }
+}
+
+void StoreAccumulator::Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd)
+{
+  const std::ptrdiff_t gathered = this->Azimuth % this->Batch + 1;
+  if (gathered < this->Batch)
+  {
+    this->WriteBatch(rowBegin * this->Columns, (rowEnd - rowBegin) * this->Columns, gathered);
+  }
+}
 
 } // namespace skyline
 #endif

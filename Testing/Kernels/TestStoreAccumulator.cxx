@@ -24,7 +24,7 @@ constexpr double ElevationBound = 8.0e-6;
 std::vector<float> Degrees(const std::vector<float>& slopes)
 {
   std::vector<float> degrees(slopes.size());
-  StoreAccumulator store(static_cast<std::ptrdiff_t>(slopes.size()), degrees.data(), 1);
+  StoreAccumulator store(static_cast<std::ptrdiff_t>(slopes.size()), 1, degrees.data(), 1);
   store.Begin(0.0, 1.0);
   store.Add(0, 0, static_cast<std::ptrdiff_t>(slopes.size()), slopes.data());
   store.Finish(0, 1);
@@ -71,12 +71,17 @@ TEST(StoreAccumulator, ArcTangentOfEveryMagnitude)
     });
 }
 
-TEST(StoreAccumulator, LayoutsHoldTheSame)
+// Fewer azimuths than a batch of 16, one batch, and batches with a rest.
+class StoreLayouts : public ::testing::TestWithParam<int>
 {
-  const std::ptrdiff_t columns = 19, rows = 2, azimuths = 3;
+};
+
+TEST_P(StoreLayouts, HoldTheSame)
+{
+  const std::ptrdiff_t columns = 19, rows = 2, azimuths = GetParam();
   std::vector<float> components(columns * rows * azimuths), bands(components.size());
-  StoreAccumulator sideBySide(columns, components.data(), azimuths);
-  StoreAccumulator apart(columns, bands.data(), 1, columns * rows);
+  StoreAccumulator sideBySide(columns, rows, components.data(), azimuths);
+  StoreAccumulator apart(columns, rows, bands.data(), 1, columns * rows);
   for (std::ptrdiff_t k = 0; k < azimuths; ++k)
   {
     sideBySide.Begin(0.1 * static_cast<double>(k), 0.1);
@@ -95,6 +100,11 @@ TEST(StoreAccumulator, LayoutsHoldTheSame)
       sideBySide.Add(row, 18, 1, slopes.data() + 18);
     }
   }
+  for (std::ptrdiff_t row = 0; row < rows; ++row)
+  {
+    sideBySide.Finish(row, row + 1);
+    apart.Finish(row, row + 1);
+  }
   for (std::ptrdiff_t post = 0; post < columns * rows; ++post)
   {
     for (std::ptrdiff_t k = 0; k < azimuths; ++k)
@@ -104,6 +114,8 @@ TEST(StoreAccumulator, LayoutsHoldTheSame)
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Azimuths, StoreLayouts, ::testing::Values(1, 2, 3, 15, 16, 17, 32, 40));
 
 } // namespace
 } // namespace testing
