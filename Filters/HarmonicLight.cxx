@@ -27,7 +27,25 @@ HarmonicLight::HarmonicLight(int bands)
 void HarmonicLight::Add(const TurnedLightMap& light)
 {
   const auto count = static_cast<std::size_t>(HarmonicCount(this->Bands));
-  const std::vector<double> map = ProjectLightMap(light.Map, this->Bands);
+  // What shines from below the horizon is never seen, so it is free: the mirror image of the upper
+  // half leaves no edge at the horizon over which a short series would ring. A mirrored function
+  // has twice the coefficients of the half for even l + m, and none for odd.
+  std::vector<double> map(3 * count, 0.0);
+  const LightMapProjection projection(light.Map.Columns, light.Map.Rows, this->Bands);
+  const std::ptrdiff_t half = light.Map.Rows / 2, mirrored = light.Map.Rows - half;
+  projection.AddRows(light.Map, 0, half, map.data());
+  projection.AddRows(light.Map, 0, mirrored, map.data()); // a middle row counts once
+  for (int l = 0; l < this->Bands; ++l)
+  {
+    for (int m = -l; m <= l; ++m)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        map[c * count + static_cast<std::size_t>(HarmonicIndex(l, m))] *=
+          (l + m) % 2 == 0 ? 1.0 : 0.0;
+      }
+    }
+  }
   std::vector<double> turned(count);
   for (std::size_t c = 0; c < 3; ++c)
   {

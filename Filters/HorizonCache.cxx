@@ -72,6 +72,7 @@ bool HorizonCache::Run(
   std::sort(missing.begin(), missing.end());
   missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
   std::vector<std::vector<float>*> planes;
+  planes.reserve(missing.size());
   for (const double azimuth : missing)
   {
     planes.push_back(&this->Slopes[azimuth]);

@@ -81,7 +81,7 @@ void vtkSkylineEnvironmentLight::FillPixels()
   const bool perez = this->Source == PEREZ;
   const SkyModel sky = perez ? PerezSky(this->DirectIrradiance, this->DiffuseIrradiance, elevation)
                              : CieSky(this->CieType);
-  this->Pixels.resize(static_cast<std::size_t>(3 * SkyWidth * SkyHeight));
+  this->Pixels.resize(3 * static_cast<std::size_t>(SkyWidth) * SkyHeight);
   FillSky(sky, this->SunAzimuth * RadiansPerDegree, elevation,
     { perez, perez ? this->DiffuseIrradiance : 1.0 }, SkyWidth, SkyHeight, this->Pixels.data());
 }
