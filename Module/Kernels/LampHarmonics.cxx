@@ -3,6 +3,7 @@
 
 #include "Constants.h"
 #include "HarmonicProduct.h"
+#include "LampPyramid.h"
 #include "LampWalk.h"
 #include "RayFrame.h"
 #include "VisibilityAccumulator.h"
@@ -148,8 +149,16 @@ void AddLampHarmonics(const LampTerrain& terrain, const Grid& grid, const float*
     const double width = 2.0 * Pi / settings.Azimuths;
     for (int k = 0; k < settings.Azimuths; ++k)
     {
-      FindLampHorizons(
-        terrain, grid, settings.Shape, settings.Sink, lamp, k * width, begin, end, slopes.data());
+      if (settings.Pyramid)
+      {
+        FindLampHorizons(*settings.Pyramid, settings.Levels, grid, settings.Sink, lamp, k * width,
+          begin, end, slopes.data());
+      }
+      else
+      {
+        FindLampHorizons(
+          terrain, grid, settings.Shape, settings.Sink, lamp, k * width, begin, end, slopes.data());
+      }
       visibility.Begin(k * width, width);
       for (std::ptrdiff_t row = 0; row < end - begin; ++row)
       {

@@ -5,8 +5,10 @@
 #define skyline_LampHarmonics_h
 
 #include "Grid.h"
+#include "HeightPyramid.h"
 #include "Lamp.h"
 #include "LampTerrain.h"
+#include "PyramidSettings.h"
 #include "SphericalHarmonics.h"
 
 #include <cstddef>
@@ -29,6 +31,9 @@ struct LampHarmonicSettings
   LampProduct Product = LampProduct::Transfer;
   Surface Shape = Surface::Triangles; ///< the surface through the posts
   double Sink = 0.0;                  ///< (1 - k) / 2R in 1/m, as in LampSettings
+  /// The thesis's own horizons, from a pyramid of the same field, instead of those of the surface.
+  const HeightPyramid* Pyramid = nullptr;
+  PyramidSettings Levels; ///< how it is read
 };
 
 /// A lamp's disc of unit radiance around the zenith: `bands` zonal coefficients, closed form (THESIS

@@ -3,6 +3,7 @@
 // orders 2 to 8.
 #include "HarmonicProduct.h"
 #include "LampHarmonics.h"
+#include "LampPyramid.h"
 #include "LampTesting.h"
 #include "ThesisScenes.h"
 
@@ -176,6 +177,53 @@ TEST(LampHarmonics, ErrorByAzimuths)
     last = rms;
   }
   EXPECT_LT(last, 0.02);
+}
+
+TEST(LampHarmonics, ErrorByLevelStep)
+{
+  // THESIS figure 6.2: cones v2, order 4, 32 azimuths, horizons by the pyramid, 1 to 4 levels an
+  // octave; here against the exact horizons in front of the lamp.
+  const ThesisScene scene = ThesisScenes(65)[2];
+  const LampScene kernel(scene.Field);
+  const std::vector<float> exact = ByHarmonics(kernel, scene.Lamps, LampHarmonicSettings());
+  double errors[5] = {};
+  for (int step = 1; step <= 4; ++step)
+  {
+    const HeightPyramid pyramid(kernel.Field, step);
+    LampHarmonicSettings settings;
+    settings.Pyramid = &pyramid;
+    settings.Levels.LevelStep = step;
+    settings.Levels.LevelOffset = 4.0; // as in the thesis's figures
+    errors[step] = RelativeRms(ByHarmonics(kernel, scene.Lamps, settings), exact);
+    std::printf("cones v2, order 4, %d levels an octave: %.4f\n", step, errors[step]);
+  }
+  EXPECT_LT(errors[4], errors[1]);
+  EXPECT_LT(errors[4], 0.1);
+}
+
+TEST(LampHarmonics, PyramidHorizonsOfAPlane)
+{
+  // The finest level of an inclined plane is that plane: horizons of either sign.
+  const oracle::OracleField field = shapes::Plane(65, 65, 10.0, 0.3, 0.0);
+  const LampScene scene(field);
+  const HeightPyramid pyramid(scene.Field, 4.0);
+  Lamp lamp;
+  lamp.X = lamp.Y = 320.0;
+  PyramidSettings settings;
+  settings.LevelOffset = 16.0; // the finest level throughout
+  std::vector<float> slopes(65 * 65);
+  for (const double side : { 1.0, -1.0 })
+  {
+    FindLampHorizons(
+      pyramid, settings, scene.Posts, 0.0, lamp, side * 0.5 * Pi, 0, 65, slopes.data());
+    for (std::ptrdiff_t k = 0; k < 65 * 65; ++k)
+    {
+      if (k % 65 > 0 && k % 65 < 64)
+      {
+        EXPECT_NEAR(slopes[static_cast<std::size_t>(k)], 0.3 * side, 1e-5) << k;
+      }
+    }
+  }
 }
 
 TEST(LampHarmonics, HorizonsEndAtTheLamp)
