@@ -66,8 +66,8 @@ public:
     return this->Along[static_cast<std::size_t>(i)][static_cast<std::size_t>(row)];
   }
 
-  /// Lanes that may be read before and after a row.
-  static constexpr std::ptrdiff_t Margin = 64;
+  /// Lanes that may be read before and after a row: a block of 64 and its reach.
+  static constexpr std::ptrdiff_t Margin = 96;
 
   /// Row `row` of level i, a value a column of the field: heights times coverage, and coverage (only
   /// where HasMissing).

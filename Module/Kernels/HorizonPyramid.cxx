@@ -54,59 +54,117 @@ using V = hn::Vec<Tag>;
 constexpr float CasterCoverage = 0.5f;
 constexpr float ReceiverCoverage = 1.0e-6f;
 
-HWY_INLINE V SumAt(const RowTaps& taps, const float* const* rows, std::ptrdiff_t lane)
+// Vectors side by side: what is the same for all lanes is loaded once for so many.
+constexpr std::ptrdiff_t Side = 4;
+
+template <std::ptrdiff_t Count>
+struct Vectors
+{
+  V Of[Count];
+};
+
+/// Sums over the rows of taps, from a lane on.
+template <std::ptrdiff_t Count>
+HWY_INLINE Vectors<Count> SumAt(const RowTaps& taps, const float* const* rows, std::ptrdiff_t lane)
 {
   const Tag d;
-  V sum = hn::Mul(hn::Set(d, taps.Weights[0]), hn::LoadU(d, rows[0] + lane));
-  for (int tap = 1; tap < taps.Count; ++tap)
+  const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d));
+  Vectors<Count> sums;
+  for (V& sum : sums.Of)
   {
-    sum = hn::MulAdd(hn::Set(d, taps.Weights[tap]), hn::LoadU(d, rows[tap] + lane), sum);
+    sum = hn::Zero(d);
   }
-  return sum;
+  for (int tap = 0; tap < taps.Count; ++tap)
+  {
+    const V weight = hn::Set(d, taps.Weights[tap]);
+    const float* values = rows[tap] + lane;
+    for (std::ptrdiff_t v = 0; v < Count; ++v)
+    {
+      sums.Of[v] = hn::MulAdd(weight, hn::LoadU(d, values + v * lanes), sums.Of[v]);
+    }
+  }
+  return sums;
 }
 
-HWY_INLINE V SumBetween(const LevelTask& task, const float* const* rows, std::ptrdiff_t lane)
+/// The same between two columns.
+HWY_INLINE Vectors<Side> SumBetween(
+  const LevelTask& task, const float* const* rows, std::ptrdiff_t lane)
 {
   const Tag d;
-  const V near = SumAt(task.Caster, rows, lane + task.Shift);
-  const V far = SumAt(task.Caster, rows, lane + task.Shift + 1);
-  return hn::MulAdd(hn::Set(d, task.Far), far, hn::Mul(hn::Set(d, task.Near), near));
+  const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d));
+  const auto near = SumAt<Side + 1>(task.Caster, rows, lane + task.Shift);
+  alignas(64) float columns[(Side + 1) * 16];
+  for (std::ptrdiff_t v = 0; v <= Side; ++v)
+  {
+    hn::Store(near.Of[v], d, columns + v * lanes);
+  }
+  Vectors<Side> sums;
+  for (std::ptrdiff_t v = 0; v < Side; ++v)
+  {
+    const V far = hn::LoadU(d, columns + v * lanes + 1);
+    sums.Of[v] = hn::MulAdd(hn::Set(d, task.Far), far, hn::Mul(hn::Set(d, task.Near), near.Of[v]));
+  }
+  return sums;
+}
+
+/// The lanes of a vector whose caster lies in the data.
+HWY_INLINE V KeepInside(const LevelTask& task, std::ptrdiff_t lane, V slope)
+{
+  const Tag d;
+  if (lane >= task.Begin && lane + static_cast<std::ptrdiff_t>(hn::Lanes(d)) <= task.End)
+  {
+    return slope;
+  }
+  const V place = hn::Iota(d, 0.0f);
+  const auto inside = hn::And(hn::Ge(place, hn::Set(d, static_cast<float>(task.Begin - lane))),
+    hn::Lt(place, hn::Set(d, static_cast<float>(task.End - lane))));
+  return hn::IfThenElseZero(inside, slope);
 }
 
 /// The derivative of one level (SN08, equation 2), 0 where it is below or reads no terrain.
 template <bool Missing>
-HWY_INLINE V SlopeOf(const LevelTask& task, std::ptrdiff_t lane)
+HWY_INLINE Vectors<Side> SlopesOf(const LevelTask& task, std::ptrdiff_t lane)
 {
   const Tag d;
   const V zero = hn::Zero(d);
   const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d));
-  if (lane >= task.End || lane + lanes <= task.Begin)
+  Vectors<Side> slopes;
+  if (lane >= task.End || lane + Side * lanes <= task.Begin)
   {
-    return zero;
+    for (V& slope : slopes.Of)
+    {
+      slope = zero;
+    }
+    return slopes;
   }
-  V from = SumAt(task.Receiver, task.Receiver.Rows, lane);
-  V to = SumBetween(task, task.Caster.Rows, lane);
-  V good = hn::Set(d, 1.0f);
+  Vectors<Side> from = SumAt<Side>(task.Receiver, task.Receiver.Rows, lane);
+  Vectors<Side> to = SumBetween(task, task.Caster.Rows, lane);
+  Vectors<Side> here, there;
   if (Missing)
   {
-    const V here = SumAt(task.Receiver, task.Receiver.Coverage, lane);
-    const V there = SumBetween(task, task.Caster.Coverage, lane);
-    const auto known = hn::And(
-      hn::Ge(here, hn::Set(d, ReceiverCoverage)), hn::Ge(there, hn::Set(d, CasterCoverage)));
-    good = hn::IfThenElseZero(known, good);
-    from = hn::Div(from, hn::Max(here, hn::Set(d, ReceiverCoverage)));
-    to = hn::Div(to, hn::Max(there, hn::Set(d, CasterCoverage)));
+    here = SumAt<Side>(task.Receiver, task.Receiver.Coverage, lane);
+    there = SumBetween(task, task.Caster.Coverage, lane);
   }
-  if (lane < task.Begin || lane + lanes > task.End)
+  const V leastHere = hn::Set(d, ReceiverCoverage);
+  const V leastThere = hn::Set(d, CasterCoverage);
+  for (std::ptrdiff_t v = 0; v < Side; ++v)
   {
-    const V place = hn::Iota(d, 0.0f);
-    const auto inside = hn::And(hn::Ge(place, hn::Set(d, static_cast<float>(task.Begin - lane))),
-      hn::Lt(place, hn::Set(d, static_cast<float>(task.End - lane))));
-    good = hn::IfThenElseZero(inside, good);
+    if (Missing)
+    {
+      from.Of[v] = hn::Div(from.Of[v], hn::Max(here.Of[v], leastHere));
+      to.Of[v] = hn::Div(to.Of[v], hn::Max(there.Of[v], leastThere));
+    }
+    V slope = hn::MulSub(
+      hn::Sub(to.Of[v], from.Of[v]), hn::Set(d, task.InverseDistance), hn::Set(d, task.Sink));
+    slope = hn::Max(slope, zero);
+    if (Missing)
+    {
+      slope = hn::IfThenElseZero(
+        hn::And(hn::Ge(here.Of[v], leastHere), hn::Ge(there.Of[v], leastThere)), slope);
+    }
+    slopes.Of[v] = KeepInside(task, lane + v * lanes, slope);
   }
-  const V slope =
-    hn::MulSub(hn::Sub(to, from), hn::Set(d, task.InverseDistance), hn::Set(d, task.Sink));
-  return hn::IfThenElseZero(hn::Gt(good, zero), hn::Max(slope, zero));
+  return slopes;
 }
 
 /// The greatest value at and halfway between the knots of the cubic b-spline through a sequence of
@@ -138,28 +196,58 @@ struct SplineMaximum
   }
 };
 
-template <bool Missing>
-HWY_INLINE V AngleOf(const LevelTask& task, std::ptrdiff_t lane)
+HWY_INLINE V AngleOf(V slope)
 {
   const Tag d;
-  const V slope = SlopeOf<Missing>(task, lane);
   return hn::AllFalse(d, hn::Gt(slope, hn::Zero(d)))
     ? hn::Zero(d)
     : AtanIn(d, slope, 1.0f, static_cast<float>(0.5 * Pi));
 }
 
 template <bool Missing>
-HWY_INLINE V SplineHorizon(const LevelTask* tasks, std::size_t levels, std::ptrdiff_t lane)
+HWY_INLINE Vectors<Side> SplineHorizon(
+  const LevelTask* tasks, std::size_t levels, std::ptrdiff_t lane)
 {
   const Tag d;
-  SplineMaximum spline;
-  spline.Start(AngleOf<Missing>(tasks[0], lane));
+  SplineMaximum splines[Side];
+  const Vectors<Side> first = SlopesOf<Missing>(tasks[0], lane);
+  for (std::ptrdiff_t v = 0; v < Side; ++v)
+  {
+    splines[v].Start(AngleOf(first.Of[v]));
+  }
   for (std::size_t i = 1; i < levels; ++i)
   {
-    spline.Shift(AngleOf<Missing>(tasks[i], lane), i > 1);
+    const Vectors<Side> slopes = SlopesOf<Missing>(tasks[i], lane);
+    for (std::ptrdiff_t v = 0; v < Side; ++v)
+    {
+      splines[v].Shift(AngleOf(slopes.Of[v]), i > 1);
+    }
   }
-  spline.Shift(spline.Third, levels > 1);
-  return hn::Div(hn::Sin(d, spline.Best), hn::Max(hn::Cos(d, spline.Best), hn::Set(d, 1.0e-9f)));
+  Vectors<Side> horizon;
+  for (std::ptrdiff_t v = 0; v < Side; ++v)
+  {
+    SplineMaximum& spline = splines[v];
+    spline.Shift(spline.Third, levels > 1);
+    const V least = hn::Set(d, 1.0e-9f);
+    horizon.Of[v] = hn::Div(hn::Sin(d, spline.Best), hn::Max(hn::Cos(d, spline.Best), least));
+  }
+  return horizon;
+}
+
+template <bool Missing>
+HWY_INLINE Vectors<Side> GreatestHorizon(
+  const LevelTask* tasks, std::size_t levels, std::ptrdiff_t lane)
+{
+  Vectors<Side> best = SlopesOf<Missing>(tasks[0], lane);
+  for (std::size_t i = 1; i < levels; ++i)
+  {
+    const Vectors<Side> slopes = SlopesOf<Missing>(tasks[i], lane);
+    for (std::ptrdiff_t v = 0; v < Side; ++v)
+    {
+      best.Of[v] = hn::Max(best.Of[v], slopes.Of[v]);
+    }
+  }
+  return best;
 }
 
 /// Slopes of lanes [begin, end) of a line, whole vectors of them.
@@ -169,19 +257,14 @@ HWY_NOINLINE void FindLanes(const LevelTask* tasks, std::size_t levels, std::ptr
 {
   const Tag d;
   const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d));
-  for (std::ptrdiff_t lane = begin; lane < end; lane += lanes, slopes += lanes)
+  for (std::ptrdiff_t lane = begin; lane < end; lane += Side * lanes)
   {
-    if (Spline)
+    const Vectors<Side> found = Spline ? SplineHorizon<Missing>(tasks, levels, lane)
+                                       : GreatestHorizon<Missing>(tasks, levels, lane);
+    for (std::ptrdiff_t v = 0; v < Side && lane + v * lanes < end; ++v)
     {
-      hn::StoreU(SplineHorizon<Missing>(tasks, levels, lane), d, slopes);
-      continue;
+      hn::StoreU(found.Of[v], d, slopes + (lane - begin) + v * lanes);
     }
-    V best = hn::Zero(d);
-    for (std::size_t i = 0; i < levels; ++i)
-    {
-      best = hn::Max(best, SlopeOf<Missing>(tasks[i], lane));
-    }
-    hn::StoreU(best, d, slopes);
   }
 }
 
