@@ -136,7 +136,7 @@ SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonScene& scene)
       sun.At(0.5 * static_cast<double>(grid.Columns - 1), 0.5 * static_cast<double>(grid.Rows - 1));
     disc.Azimuth = middle.Azimuth * RadiansPerDegree;
     disc.Elevation = middle.Elevation * RadiansPerDegree;
-    disc.Radius = middle.Radius * RadiansPerDegree;
+    disc.Radius = light->GetTrueRadius() ? middle.Radius * RadiansPerDegree : disc.Radius;
   }
   return disc;
 }
@@ -247,7 +247,10 @@ bool AddSun(
   const SunField sun = light->GetUseTime()
     ? SunField(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight())
     : SunField::Constant(light->GetAzimuth(), light->GetElevation(), light->GetAngularRadius());
-  disc.Radius = sun.Radius() * RadiansPerDegree;
+  if (light->GetUseTime() && light->GetTrueRadius())
+  {
+    disc.Radius = sun.Radius() * RadiansPerDegree;
+  }
   double first = 0.0, last = 0.0, least = 0.0, greatest = 0.0;
   sun.AzimuthBounds(first, last);
   sun.ElevationBounds(least, greatest);

@@ -11,6 +11,7 @@ void vtkSkylineSunLight::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Azimuth: " << this->Azimuth << "\n"
      << indent << "Elevation: " << this->Elevation << "\n"
      << indent << "AngularRadius: " << this->AngularRadius << "\n"
+     << indent << "TrueRadius: " << this->TrueRadius << "\n"
      << indent << "Irradiance: " << this->Irradiance[0] << " " << this->Irradiance[1] << " "
      << this->Irradiance[2] << "\n"
      << indent << "UseTime: " << this->UseTime << "\n"

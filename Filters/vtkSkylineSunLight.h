@@ -30,10 +30,17 @@ public:
   ///@}
 
   ///@{
-  /// Of the disc, degrees, 0 (a point) to 3; default 0.26645, the mean sun's. With UseTime it
-  /// follows from the sun's distance. Larger lights are vtkSkylineKeyLight.
+  /// Of the disc, degrees, 0 (a point) to 3; default 0.26645, the mean sun's. With UseTime and
+  /// TrueRadius it is unused. Larger lights are vtkSkylineKeyLight.
   vtkSetMacro(AngularRadius, double);
   vtkGetMacro(AngularRadius, double);
+  ///@}
+
+  ///@{
+  /// With UseTime, take the angular radius that follows from the sun's distance; default on.
+  vtkSetMacro(TrueRadius, bool);
+  vtkGetMacro(TrueRadius, bool);
+  vtkBooleanMacro(TrueRadius, bool);
   ///@}
 
   ///@{
@@ -69,6 +76,7 @@ protected:
   double Azimuth = 315.0;
   double Elevation = 45.0;
   double AngularRadius = 0.26645;
+  bool TrueRadius = true;
   double Irradiance[3] = { 1.0, 1.0, 1.0 };
   bool UseTime = false;
   std::string Time;

@@ -143,8 +143,8 @@ LightPointer MakeSun(const skyline::SunOptions& options, const skyline::SunLight
   light->SetElevation(sun.ApparentElevation);
   light->SetAngularRadius(sun.Radius);
   light->SetIrradiance(irradiance[0], irradiance[1], irradiance[2]);
-  // By time the filter takes the true radius; another one goes with one direction for all posts.
-  light->SetUseTime(sun.FromTime && options.Radius == skyline::TrueRadius);
+  light->SetTrueRadius(options.Radius == skyline::TrueRadius);
+  light->SetUseTime(sun.FromTime);
   light->SetTime(options.Time.c_str());
   light->SetLimbDarkening(options.LimbDarkening);
   return light;

@@ -103,6 +103,9 @@ class Irradiance(ToolTest):
             "sun", dem, "--time", "2026-06-21T20:00Z").stdout.splitlines())
         elevation = float(sun["refracted elevation"].split()[0])
         self.assertAlmostEqual(np.median(light), np.sin(np.radians(elevation)), delta=1e-4)
+        wide = self.irradiance(
+            dem, "--time", "2026-06-21T20:00Z", "--horizontal", "--sun-radius", "2")
+        self.assertAlmostEqual(np.median(wide), np.sin(np.radians(elevation)), delta=1e-4)
 
     def test_perez_gives_direct_and_diffuse(self):
         light = self.irradiance(
