@@ -179,25 +179,25 @@ std::vector<double> SlowTransfer(
 TEST(TransferAccumulator, EqualsBruteForce)
 {
   constexpr double midpointBound = 4.0e-5; // 150 x 600 midpoints a swath
-  ForEachProcessorTarget(
-    []()
+  shapes::Random random(8);
+  for (const int n : { 5, 12 })
+  {
+    for (const SkyPart sky : { SkyPart::Upper, SkyPart::Sphere })
     {
-      shapes::Random random(8);
-      for (const int n : { 5, 12 })
-      {
-        for (const SkyPart sky : { SkyPart::Upper, SkyPart::Sphere })
+      const std::vector<double> slopes = RandomSlopes(random, n);
+      const Gradient gradient{ 3.0 * random() - 1.5, 3.0 * random() - 1.5 };
+      const auto truth = SlowTransfer(5, slopes, gradient, sky);
+      ForEachProcessorTarget(
+        [&]()
         {
-          const std::vector<double> slopes = RandomSlopes(random, n);
-          const Gradient gradient{ 3.0 * random() - 1.5, 3.0 * random() - 1.5 };
           const auto sum = SumPost(5, slopes, &gradient, sky);
-          const auto truth = SlowTransfer(5, slopes, gradient, sky);
           for (std::size_t c = 0; c < sum.size(); ++c)
           {
             EXPECT_NEAR(sum[c], truth[c], midpointBound) << c;
           }
-        }
-      }
-    });
+        });
+    }
+  }
 }
 
 TEST(TransferAccumulator, UniformSkyIsTheSkyViewFactor)
@@ -258,6 +258,31 @@ TEST(TransferAccumulator, WhiteFurnaceGivesPiOnAnyNormal)
       EXPECT_NEAR(SumPost(4, open, &gradient)[0] * std::sqrt(4.0 * Pi), HalfPi * (1.0 + normal.Z),
         10.0 / (n * n));
     }
+  }
+}
+
+TEST(TransferAccumulator, SteepestPlanesSeeHalfTheSky)
+{
+  // The plane alone hides; 36 azimuths stand for the circle: pi^2 / 6 N^2, as in TestSkyAccumulator.
+  for (const double steep : { 1.0e4, 1.0e8, 1.0e12 })
+  {
+    const Gradient gradient{ steep, 0.0 };
+    const auto sum = SumPost(
+      4, std::vector<double>(36, NoTerrainSlope), &gradient, SkyPart::Upper, 2.0 * Pi, Pi / 36.0);
+    EXPECT_NEAR(sum[0] * std::sqrt(4.0 * Pi), HalfPi, 5.0e-3) << steep;
+    for (const double value : sum)
+    {
+      EXPECT_LT(std::abs(value), 1.0) << steep;
+    }
+  }
+}
+
+TEST(TransferAccumulator, MissingPostsStayMissing)
+{
+  const Gradient missing{ std::nan(""), std::nan("") };
+  for (const double value : SumPost(4, std::vector<double>(8, 0.0), &missing))
+  {
+    EXPECT_TRUE(std::isnan(value));
   }
 }
 
