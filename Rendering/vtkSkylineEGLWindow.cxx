@@ -3,7 +3,6 @@
 
 #include "HeadlessContext.h"
 
-#include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
@@ -106,13 +105,6 @@ void vtkSkylineEGLWindow::Render()
     return;
   }
   this->Superclass::Render();
-}
-
-void vtkSkylineEGLWindow::Frame()
-{
-  // Resolves into the display framebuffer, which pictures are read from.
-  this->vtkOpenGLRenderWindow::Frame();
-  this->InvokeEvent(vtkCommand::WindowFrameEvent, nullptr);
 }
 
 void vtkSkylineEGLWindow::Finalize()

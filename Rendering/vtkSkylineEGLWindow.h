@@ -60,13 +60,12 @@ public:
   void Initialize() override;
   void Finalize() override;
   void Render() override;
-  void Frame() override;
   void MakeCurrent() override;
   bool IsCurrent() override;
   int SupportsOpenGL() override;
   vtkTypeBool IsDirect() override;
   int GetColorBufferSizes(int* rgba) override;
-  void ReleaseCurrent();
+  void ReleaseCurrent() override;
   ///@}
 
 protected:

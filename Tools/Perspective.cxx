@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace
 {
@@ -46,17 +45,24 @@ constexpr double SkirtColor = 0.6;
 /// Where the sky is the only light, it would leave the range of a picture.
 constexpr float BrightestSky = 0.22f;
 
+// Two numbers with a separator between them and nothing else.
+template <typename Number>
+bool ReadPair(const std::string& text, char separator, Number& first, Number& second)
+{
+  const std::size_t middle = text.find(separator);
+  return middle != std::string::npos && CLI::detail::lexical_cast(text.substr(0, middle), first) &&
+    CLI::detail::lexical_cast(text.substr(middle + 1), second);
+}
+
 bool ReadSize(const std::string& text, int& width, int& height)
 {
-  char rest = 0;
-  return std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2;
+  return ReadPair(text, 'x', width, height);
 }
 
 bool ReadDirection(const std::string& text, double& azimuth, double& elevation)
 {
-  char rest = 0;
-  return std::sscanf(text.c_str(), "%lf,%lf%c", &azimuth, &elevation, &rest) == 2 &&
-    std::isfinite(azimuth) && std::isfinite(elevation);
+  return ReadPair(text, ',', azimuth, elevation) && std::isfinite(azimuth) &&
+    std::isfinite(elevation);
 }
 
 vtkSmartPointer<vtkHeightFieldSurface> MakeMesh(vtkImageData* terrain)

@@ -12,6 +12,8 @@ CLASSES = [
     "vtkHeightFieldPictureWriter",
     "vtkHeightFieldAlgorithm", "vtkHeightFieldHorizon", "vtkHeightFieldSkyView",
     "vtkHeightFieldSunShadow", "vtkHeightFieldShading", "vtkHeightFieldSkyLight",
+    "vtkHeightFieldSurface", "vtkSkylineEGLWindow", "vtkSoftShadowPolyDataMapper",
+    "vtkSoftShadowShader",
 ]
 
 
