@@ -105,6 +105,7 @@ struct Lights
   const double* SkyRadiance;
   vtkDataArray* SunVisibility; // may be null
   vtkDataArray* Sky;           // may be null
+  vtkDataArray* Further;       // irradiance, may be null
 };
 
 // Irradiance over pi of a post with slopes east and north and a sun in direction x, y, z.
@@ -117,8 +118,9 @@ Rgb Light(const Lights& lights, vtkIdType post, double east, double north, const
   Rgb light;
   for (int c = 0; c < 3; ++c)
   {
-    light[c] = static_cast<float>(
-      lights.SunIrradiance[c] * lit * facing / skyline::Pi + lights.SkyRadiance[c] * sky);
+    light[c] = static_cast<float>(lights.SunIrradiance[c] * lit * facing / skyline::Pi +
+      lights.SkyRadiance[c] * sky +
+      (lights.Further ? lights.Further->GetComponent(post, c) / skyline::Pi : 0.0));
   }
   return light;
 }
@@ -340,9 +342,15 @@ int vtkHeightFieldShading::RequestData(
     return 0;
   }
 
+  vtkDataArray* further = in->GetPointData()->GetArray(this->IrradianceArrayName.c_str());
+  if (further && (further->GetNumberOfComponents() != 3 || further->GetNumberOfTuples() != posts))
+  {
+    vtkErrorMacro("no irradiance: the array is not three numbers a post");
+    return 0;
+  }
   const Lights lights{ this->SunIrradiance, this->SkyRadiance,
     in->GetPointData()->GetArray("SunVisibility"),
-    in->GetPointData()->GetArray(this->SkyArrayName.c_str()) };
+    in->GetPointData()->GetArray(this->SkyArrayName.c_str()), further };
   double range[2] = { this->ColorRange[0], this->ColorRange[1] };
   if (!(range[0] < range[1]))
   {
@@ -414,6 +422,7 @@ void vtkHeightFieldShading::PrintSelf(ostream& os, vtkIndent indent)
   triple("SunIrradiance", this->SunIrradiance);
   triple("SkyRadiance", this->SkyRadiance);
   os << indent << "SkyArrayName: " << this->SkyArrayName << "\n";
+  os << indent << "IrradianceArrayName: " << this->IrradianceArrayName << "\n";
   os << indent << "ColorMap: " << this->ColorMap << "\n";
   os << indent << "ColorRange: " << this->ColorRange[0] << " " << this->ColorRange[1] << "\n";
   os << indent << "LookupTable: " << this->LookupTable.GetPointer() << "\n";

@@ -94,6 +94,15 @@ public:
 
   ///@{
   /**
+   * Name of a point array with further irradiance, linear RGB, as vtkHeightFieldIrradiance makes it;
+   * it adds to sun and sky. Default empty: none.
+   */
+  vtkSetMacro(IrradianceArrayName, std::string);
+  vtkGetMacro(IrradianceArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
    * Name of the colour map: hypsometric (default), ocean, viridis, cividis or gray, see
    * ColorMaps.h. An unknown name is an error of the update.
    */
@@ -170,6 +179,7 @@ private:
   double SunIrradiance[3];
   double SkyRadiance[3];
   std::string SkyArrayName = "SkyViewFactor";
+  std::string IrradianceArrayName;
   std::string ColorMap = "hypsometric";
   double ColorRange[2] = { 0.0, -1.0 };
   vtkSmartPointer<vtkScalarsToColors> LookupTable;

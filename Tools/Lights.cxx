@@ -48,25 +48,6 @@ bool StartsWith(const std::string& text, const char* start)
   return text.rfind(start, 0) == 0;
 }
 
-// What is wrong with the name of an environment; files are met later.
-std::string CheckEnvironment(std::string& name)
-{
-  std::vector<double> numbers;
-  if (StartsWith(name, "cie:"))
-  {
-    const bool fine = ParseNumbers(name.substr(4), numbers) && numbers.size() == 1 &&
-      numbers[0] >= 1.0 && numbers[0] <= 16.0 && numbers[0] == std::floor(numbers[0]);
-    return fine ? "" : "no sky named " + name + "; CIE skies are cie:1 to cie:16";
-  }
-  if (StartsWith(name, "perez:"))
-  {
-    const bool fine = ParseNumbers(name.substr(6), numbers) && numbers.size() == 2 &&
-      numbers[0] >= 0.0 && numbers[1] > 0.0;
-    return fine ? "" : "needs perez:DIRECT,DIFFUSE in W/m2, diffuse above 0, not " + name;
-  }
-  return "";
-}
-
 std::string CheckColor(std::string& text)
 {
   std::vector<double> numbers;
@@ -186,6 +167,24 @@ CLI::Validator Checked(std::string (*check)(std::string&))
 namespace skyline
 {
 
+std::string CheckEnvironment(std::string& name)
+{
+  std::vector<double> numbers;
+  if (StartsWith(name, "cie:"))
+  {
+    const bool fine = ParseNumbers(name.substr(4), numbers) && numbers.size() == 1 &&
+      numbers[0] >= 1.0 && numbers[0] <= 16.0 && numbers[0] == std::floor(numbers[0]);
+    return fine ? "" : "no sky named " + name + "; CIE skies are cie:1 to cie:16";
+  }
+  if (StartsWith(name, "perez:"))
+  {
+    const bool fine = ParseNumbers(name.substr(6), numbers) && numbers.size() == 2 &&
+      numbers[0] >= 0.0 && numbers[1] > 0.0;
+    return fine ? "" : "needs perez:DIRECT,DIFFUSE in W/m2, diffuse above 0, not " + name;
+  }
+  return "";
+}
+
 void LightOptions::AddTo(CLI::App& command)
 {
   command
@@ -198,12 +197,17 @@ void LightOptions::AddTo(CLI::App& command)
       "ground. The sun of a sky is that of --time or --sun")
     ->type_name("FILE|NAME")
     ->check(Checked(CheckEnvironment));
+  this->Sun.AddTo(command);
+  this->AddLampsTo(command);
+}
+
+void LightOptions::AddLampsTo(CLI::App& command)
+{
   command
     .add_option("--rotation", this->Rotation,
       "Degrees by which the environment is turned clockwise: its north comes to this azimuth")
     ->type_name("DEG")
     ->capture_default_str();
-  this->Sun.AddTo(command);
   command
     .add_option("--sun-irradiance", this->SunIrradiance,
       "Of the sun of --time or --sun on a plane that faces it. Default 1, with perez: DIRECT")

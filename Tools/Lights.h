@@ -28,7 +28,13 @@ struct LightOptions
   std::string SunIrradiance;
   std::vector<std::string> Lamps;
   void AddTo(CLI::App& command);
+
+  /// --rotation, --sun-irradiance and --lamp alone.
+  void AddLampsTo(CLI::App& command);
 };
+
+/// What is wrong with the text of an --environment; empty: nothing, or a file, which is met later.
+std::string CheckEnvironment(std::string& name);
 
 /// The lights over a terrain; a uniform sky if the user asked for none. Reads the light map, told as
 /// a pass. Throws Failure with a one-line reason.

@@ -5,12 +5,14 @@
 #include "Daylight.h"
 #include "Failure.h"
 #include "Files.h"
+#include "Lights.h"
 #include "Options.h"
 #include "Perspective.h"
 #include "SunLight.h"
 #include "ZonalSky.h"
 
 #include "vtkDataArray.h"
+#include "vtkHeightFieldIrradiance.h"
 #include "vtkHeightFieldShading.h"
 #include "vtkHeightFieldSkyLight.h"
 #include "vtkHeightFieldSkyView.h"
@@ -19,6 +21,8 @@
 #include "vtkImageShiftScale.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkSkylineEnvironmentLight.h"
+#include "vtkSkylineSunLight.h"
 #include "vtkTrivialProducer.h"
 
 #include <cmath>
@@ -62,6 +66,7 @@ struct ShadeCommand
   skyline::OutputOptions Output;
   skyline::HorizonOptions Horizon;
   skyline::SunOptions Sun;
+  skyline::LightOptions Lights; // but for environment and sun
   skyline::Talk Talk;
   std::string Environment = "uniform";
   std::string Colors{ skyline::ColorMaps()[0].Name };
@@ -151,13 +156,53 @@ struct ShadeCommand
     {
       throw skyline::Failure("exaggeration is out of range: above 0, up to 1000");
     }
+  }
+
+  // A light map or a measured sky shines as bright as it is, with a sun only if one is asked for.
+  bool Measured() const
+  {
     int type = 0;
-    if (CieType(this->Environment, type) && !skyline::ZonalSky::Knows(type))
+    return this->Environment != "uniform" && this->Environment != "none" &&
+      !CieType(this->Environment, type);
+  }
+
+  // A sky by formula that depends on the sun.
+  bool Formula() const
+  {
+    int type = 0;
+    return CieType(this->Environment, type) && !skyline::ZonalSky::Knows(type);
+  }
+
+  // Adds the array Irradiance of what sun and sky arrays do not hold: light maps, skies that are
+  // not the same all around (with the sky's colour), lamps. False if there is none.
+  bool AddFurtherLight(vtkSmartPointer<vtkImageData>& terrain, const skyline::Rgb& sky) const
+  {
+    skyline::LightOptions wanted = this->Lights;
+    wanted.Environment = this->Measured() || this->Formula() ? this->Environment : "";
+    if (wanted.Environment.empty() && wanted.Lamps.empty())
     {
-      throw skyline::Failure("the sky " + this->Environment +
-        " comes with lighting tables, which this version does not have; use uniform, cie:1, cie:3, "
-        "cie:5, cie:16 or none");
+      return false;
     }
+    wanted.Sun = wanted.Environment.empty() ? skyline::SunOptions() : this->Sun;
+    vtkNew<vtkHeightFieldIrradiance> filter;
+    filter->SetInputData(terrain);
+    filter->SetNumberOfAzimuths(this->Horizon.Azimuths);
+    this->Horizon.Apply(filter.Get());
+    for (const auto& light : skyline::MakeLights(wanted, terrain, this->Talk))
+    {
+      auto* environment = vtkSkylineEnvironmentLight::SafeDownCast(light);
+      if (this->Formula() && environment)
+      {
+        environment->SetRadiance(sky[0], sky[1], sky[2]);
+      }
+      if (this->Measured() || !vtkSkylineSunLight::SafeDownCast(light))
+      {
+        filter->AddLight(light);
+      }
+    }
+    skyline::RunPass(filter, "irradiance", this->Talk);
+    terrain = filter->GetOutput();
+    return true;
   }
 
   void Run() const
@@ -174,12 +219,20 @@ struct ShadeCommand
     const bool air = !center.Place.OnBody() || center.Place.Earth;
     skyline::Daylight light = skyline::ClearDaylight(sun.ApparentElevation, air);
     vtkSmartPointer<vtkImageData> lit = terrain;
+    if (this->Measured())
+    {
+      light = skyline::Daylight{};
+    }
     if (skyline::Luminance(light.SunIrradiance) > 0.0f)
     {
       lit = this->CastShadows(lit, sun);
     }
     vtkNew<vtkHeightFieldShading> shading;
-    if (this->Environment == "none")
+    if (this->AddFurtherLight(lit, light.SkyRadiance))
+    {
+      shading->SetIrradianceArrayName("Irradiance");
+    }
+    if (this->Environment == "none" || this->Measured() || this->Formula())
     {
       light.SkyRadiance = skyline::Rgb{};
     }
@@ -234,19 +287,24 @@ void AddShade(CLI::App& program)
     ->add_option("--environment", command->Environment,
       "The sky. uniform: equally bright all over;\n"
       "cie:N: sky N of CIE S 011: 1 overcast, 3 overcast with a moderate gradation, 5 uniform,\n"
-      "16 traditional overcast (three times as bright in the zenith as at the horizon);\n"
-      "none: black")
-    ->type_name("NAME")
+      "12 clear, 16 traditional overcast (three times as bright in the zenith as at the horizon);\n"
+      "none: black; FILE.hdr, FILE.exr: a light map, alone or with the sun of --sun or --time;\n"
+      "perez:DIRECT,DIFFUSE: Perez's sky and its sun, W/m2")
+    ->type_name("NAME|FILE")
     ->check(CLI::Validator(
       [](std::string& name)
       {
-        int type = 0;
-        return name == "uniform" || name == "none" || CieType(name, type)
-          ? std::string()
-          : "no sky named " + name + "; use uniform, cie:1, cie:3, cie:5, cie:16 or none";
+        if (name == "uniform" || name == "none" || name.rfind("cie:", 0) == 0 ||
+          name.rfind("perez:", 0) == 0 || name.find('.') != std::string::npos)
+        {
+          return skyline::CheckEnvironment(name);
+        }
+        return "no sky named " + name +
+          "; use uniform, none, cie:1 to cie:16, perez:DIRECT,DIFFUSE or a file's name";
       },
       ""))
     ->capture_default_str();
+  command->Lights.AddLampsTo(*app);
   app->add_option("--colors", command->Colors, MapHelp())
     ->check(CLI::IsMember(MapNames()))
     ->type_name("NAME")

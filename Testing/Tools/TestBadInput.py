@@ -147,9 +147,9 @@ class BadInput(ToolTest):
         self.refused(1, "horizon", self.dem, "-o", self.path("out.tif"), "--surface", "bilinear",
                      "--method", "sweep")
 
-    def test_sky_of_a_later_version(self):
-        self.refused(1, "shade", self.dem, "-o", self.path("out.png"), "--environment", "cie:12",
-                     says="lighting tables")
+    def test_missing_light_map(self):
+        self.refused(1, "shade", self.dem, "-o", self.path("out.png"), "--environment", "no.hdr",
+                     says="no.hdr")
 
     def test_output_in_no_folder(self):
         for command in WRITERS:
