@@ -211,6 +211,10 @@ std::vector<float> DrawDisc(const SkyDisc& disc, int& columns, int& rows)
 
 bool AddDisc(HorizonScene& scene, HorizonCache& cache, const SkyDisc& disc, const LitPosts& posts)
 {
+  if (disc.Elevation + disc.Radius <= 0.0)
+  {
+    return true; // set: no light, no horizons
+  }
   const Grid& grid = scene.Posts();
   std::vector<double> azimuths =
     SunAzimuths(disc.Azimuth, disc.Azimuth, disc.Elevation, disc.Elevation, disc.Radius);
@@ -254,6 +258,10 @@ bool AddSun(
   double first = 0.0, last = 0.0, least = 0.0, greatest = 0.0;
   sun.AzimuthBounds(first, last);
   sun.ElevationBounds(least, greatest);
+  if (greatest * RadiansPerDegree + disc.Radius <= 0.0)
+  {
+    return true; // set over all posts
+  }
   std::vector<double> azimuths = SunAzimuths(first * RadiansPerDegree, last * RadiansPerDegree,
     least * RadiansPerDegree, greatest * RadiansPerDegree, disc.Radius);
   for (double& azimuth : azimuths)

@@ -135,8 +135,11 @@ TEST(Irradiance, SettingSunIsCutOnceNotTwice)
   sun->SetElevation(0.0);
   const double r = sun->GetAngularRadius() * RadiansPerDegree;
   EXPECT_NEAR(Lit(Level(), sun).At(220) / (2.0 / 3.0 * r / Pi), 1.0, 2.0e-3);
+  // A sun that has set costs no horizon.
   sun->SetElevation(-1.0);
-  EXPECT_EQ(Lit(Level(), sun).At(220), 0.0);
+  Lit night(Level(), sun);
+  EXPECT_EQ(night.At(220), 0.0);
+  EXPECT_EQ(night.Filter->GetSearchedAzimuths(), 0);
 }
 
 TEST(Irradiance, KeyLightsOfAllSizesAreInClosedForm)
