@@ -150,8 +150,16 @@ bool PostTexture::Upload(vtkOpenGLRenderWindow* window, const std::vector<float>
   }
   this->Source = source;
   this->Time = time;
+  this->Borrowed = false;
   return this->Texture->Create2DFromRaw(static_cast<unsigned int>(columns),
     static_cast<unsigned int>(rows), components, VTK_FLOAT, const_cast<float*>(values.data()));
+}
+
+void PostTexture::Borrow(vtkTextureObject* texture)
+{
+  this->Texture = texture;
+  this->Source = texture;
+  this->Borrowed = true;
 }
 
 void PostTexture::Activate()
@@ -171,11 +179,11 @@ int PostTexture::GetUnit()
 
 void PostTexture::Release(vtkWindow* window)
 {
-  if (this->Texture)
+  if (this->Texture && !this->Borrowed)
   {
     this->Texture->ReleaseGraphicsResources(window);
-    this->Texture = nullptr;
   }
+  this->Texture = nullptr;
 }
 
 } // namespace skyline

@@ -43,6 +43,9 @@ public:
   bool Upload(vtkOpenGLRenderWindow* window, const std::vector<float>& values, int columns,
     int rows, int components, bool half, const void* source, vtkMTimeType time);
 
+  /// Takes a texture of somebody else's, who keeps it alive and releases it.
+  void Borrow(vtkTextureObject* texture);
+
   void Activate();
   void Deactivate();
   int GetUnit();
@@ -53,6 +56,7 @@ private:
   vtkSmartPointer<vtkTextureObject> Texture;
   const void* Source = nullptr;
   vtkMTimeType Time = 0;
+  bool Borrowed = false;
 };
 
 } // namespace skyline

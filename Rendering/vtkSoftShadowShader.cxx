@@ -175,6 +175,7 @@ struct vtkSoftShadowShader::Internals
 {
   vtkSmartPointer<vtkImageData> Image;
   vtkSmartPointer<vtkAlgorithm> Producer;
+  vtkSmartPointer<vtkTextureObject> IrradianceTexture;
   int Port = 0;
   Coefficients Light{};
   std::array<Color, Lamps> LampRadiance{};
@@ -311,6 +312,20 @@ void vtkSoftShadowShader::SetHeightFieldConnection(vtkAlgorithmOutput* output)
   this->Modified();
 }
 
+void vtkSoftShadowShader::SetIrradianceTexture(vtkTextureObject* texture)
+{
+  if (this->Inside->IrradianceTexture != texture)
+  {
+    this->Inside->IrradianceTexture = texture;
+    this->Modified();
+  }
+}
+
+vtkTextureObject* vtkSoftShadowShader::GetIrradianceTexture()
+{
+  return this->Inside->IrradianceTexture;
+}
+
 void vtkSoftShadowShader::SetLightCoefficient(int index, double red, double green, double blue)
 {
   if (index < 0 || index >= static_cast<int>(Count))
@@ -404,7 +419,16 @@ std::string vtkSoftShadowShader::Prepare(vtkOpenGLRenderWindow* window)
   { return "the height field has no point array " + name + " of " + components + " components"; };
   in.Place();
   bool sent = true;
-  if (this->Mode == IRRADIANCE)
+  if (this->Mode == IRRADIANCE && in.IrradianceTexture)
+  {
+    if (in.IrradianceTexture->GetContext() != window || in.IrradianceTexture->GetHandle() == 0)
+    {
+      return "the irradiance texture is not one of this window's";
+    }
+    in.Irradiance.Borrow(in.IrradianceTexture);
+    in.InUse.push_back(&in.Irradiance);
+  }
+  else if (this->Mode == IRRADIANCE)
   {
     vtkDataArray* array = find(this->IrradianceArrayName, 3, 3);
     if (!array)

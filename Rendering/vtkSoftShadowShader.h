@@ -42,6 +42,7 @@ class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexBufferObjectGroup;
 class vtkShaderProgram;
+class vtkTextureObject;
 class vtkWindow;
 
 class SKYLINERENDERING_EXPORT vtkSoftShadowShader : public vtkObject
@@ -91,6 +92,17 @@ public:
   vtkGetMacro(LampArrayName, std::string);
   vtkSetMacro(ElevationArrayName, std::string);
   vtkGetMacro(ElevationArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * The light of IRRADIANCE as a texture that is on the graphics processor already, a texel a post of the
+   * height field: three float components, linear. In place of the array, which then need not exist:
+   * light that is computed there is never read back. It belongs to the window that draws, and its owner
+   * releases it. Default none.
+   */
+  void SetIrradianceTexture(vtkTextureObject* texture);
+  vtkTextureObject* GetIrradianceTexture();
   ///@}
 
   ///@{

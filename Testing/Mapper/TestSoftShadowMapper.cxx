@@ -13,6 +13,7 @@
 #include "vtkTrivialProducer.h"
 
 #include <memory>
+#include <vector>
 
 namespace skyline
 {
@@ -355,6 +356,35 @@ TEST_F(SoftShadowMapper, ThePipelineOfTheLightIsUpdated)
   this->Shader()->SetHeightFieldConnection(producer->GetOutputPort());
   ExpectNear(this->Middle(), Seen(White, Light(0.5 * Pi)));
   EXPECT_EQ(this->Shader()->GetHeightField(), this->Ground.Get());
+}
+
+// Light that was computed on the graphics processor stays there.
+TEST_F(SoftShadowMapper, ATextureOfTheWindowIsTakenAsItIs)
+{
+  this->Scene->Render(); // makes the context
+  std::vector<float> light(3 * Size * Size, static_cast<float>(0.25 * Pi));
+  vtkNew<vtkTextureObject> texture;
+  texture->SetContext(this->Scene->Window);
+  texture->SetMinificationFilter(vtkTextureObject::Linear);
+  texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  ASSERT_TRUE(texture->Create2DFromRaw(Size, Size, 3, VTK_FLOAT, light.data()));
+  this->Shader()->SetIrradianceTexture(texture);
+  this->Shader()->SetIrradianceArrayName("None");
+  ExpectNear(this->Middle(), Seen(White, Light(0.25 * Pi)));
+  EXPECT_EQ(this->Uploads(), 1) << "that of the first picture";
+  // Whoever made it still has it after the mapper has let go.
+  this->Shader()->SetIrradianceTexture(nullptr);
+  this->Shader()->SetIrradianceArrayName("Irradiance");
+  ExpectNear(this->Middle(), Seen(White, Light(0.5 * Pi)));
+  EXPECT_NE(texture->GetHandle(), 0u);
+  texture->ReleaseGraphicsResources(this->Scene->Window);
+}
+
+TEST_F(SoftShadowErrors, ATextureWithoutAWindow)
+{
+  vtkNew<vtkTextureObject> texture;
+  this->Shader()->SetIrradianceTexture(texture);
+  this->ExpectRefused("the irradiance texture is not one of this window's");
 }
 
 TEST_F(SoftShadowErrors, MissingArraysAreNamed)
