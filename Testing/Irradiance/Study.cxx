@@ -7,6 +7,7 @@
 #include "../Filters/FilterTesting.h"
 #include "LightAzimuths.h"
 #include "LightTesting.h"
+#include "PublishedTable.h"
 #include "SkyModel.h"
 
 #include "vtkHeightFieldReader.h"
@@ -92,6 +93,59 @@ OwnedMap ReadMap(const std::string& file)
   return map;
 }
 
+/// Median, what 95 in 100 stay below, greatest.
+void PrintErrors(std::vector<double>& errors)
+{
+  std::sort(errors.begin(), errors.end());
+  std::printf(" %.3f / %.3f / %.2f |", errors[errors.size() / 2], errors[errors.size() * 95 / 100],
+    errors.back());
+}
+
+/// The light of all posts as published: evenly spread azimuths, and a table of 15 normal angles by
+/// 256 horizon angles for each; red, green and blue together.
+std::vector<double> PublishedLight(const Terrain& terrain, const OwnedMap& map, int count,
+  const std::vector<float>& east, const std::vector<float>& north)
+{
+  std::vector<double> light(terrain.Chosen.size(), 0.0);
+  const double width = 2.0 * Pi / count;
+  for (int k = 0; k < count; ++k)
+  {
+    const double azimuth = width * k;
+    constexpr int Strips = 64;
+    std::vector<double> rows(static_cast<std::size_t>(map.Rows), 0.0);
+    for (int s = 0; s < Strips; ++s)
+    {
+      const double place = (azimuth + width * ((s + 0.5) / Strips - 0.5) + Pi) / (2.0 * Pi);
+      const auto column =
+        static_cast<std::ptrdiff_t>((place - std::floor(place)) * static_cast<double>(map.Columns));
+      for (std::ptrdiff_t row = 0; row < map.Rows / 2; ++row)
+      {
+        const float* pixel = map.Pixels.data() + 3 * (row * map.Columns + column);
+        rows[static_cast<std::size_t>(row)] +=
+          (static_cast<double>(pixel[0]) + pixel[1] + pixel[2]) / Strips;
+      }
+    }
+    const PublishedTable table(
+      [&](double zenith)
+      {
+        return rows[std::min(rows.size() - 1,
+          static_cast<std::size_t>(zenith / Pi * static_cast<double>(rows.size())))];
+      },
+      width, 15, 256);
+    for (std::size_t p = 0; p < light.size(); ++p)
+    {
+      const std::ptrdiff_t post = terrain.Chosen[p];
+      const double slope = oracle::HorizonSlope(
+        terrain.Field, post % terrain.Field.Columns, post / terrain.Field.Columns, azimuth);
+      const double ge = static_cast<double>(east[p]), gn = static_cast<double>(north[p]);
+      const double rise = ge * std::sin(azimuth) + gn * std::cos(azimuth);
+      const double length = std::sqrt((1.0 + rise * rise) / (1.0 + ge * ge + gn * gn));
+      light[p] += length * table(std::atan(-rise), 0.5 * Pi - std::atan(slope));
+    }
+  }
+  return light;
+}
+
 void Measure(const Terrain& terrain, const NamedMap& named)
 {
   const auto posts = terrain.Chosen.size();
@@ -148,10 +202,16 @@ void Measure(const Terrain& terrain, const NamedMap& named)
         }
         errors.push_back(100.0 * std::abs(found / right - 1.0));
       }
-      std::sort(errors.begin(), errors.end());
-      std::printf(
-        " %.3f / %.3f / %.2f |", errors[posts / 2], errors[posts * 95 / 100], errors[posts - 1]);
+      PrintErrors(errors);
     }
+    const std::vector<double> published = PublishedLight(terrain, named.Map, count, east, north);
+    std::vector<double> errors;
+    for (std::size_t k = 0; k < posts; ++k)
+    {
+      errors.push_back(
+        100.0 * std::abs(published[k] / (truth[k][0] + truth[k][1] + truth[k][2]) - 1.0));
+    }
+    PrintErrors(errors);
     std::printf("\n");
     std::fflush(stdout);
   }
@@ -186,8 +246,8 @@ int main(int argc, char** argv)
     const std::string file = argv[next];
     maps.push_back({ file.substr(file.rfind('/') + 1), ReadMap(file) });
   }
-  std::printf("| light | azimuths | searched | constant | blend | linear |\n"
-              "| --- | --- | --- | --- | --- | --- |\n");
+  std::printf("| light | azimuths | searched | constant | blend | linear | as published |\n"
+              "| --- | --- | --- | --- | --- | --- | --- |\n");
   for (const NamedMap& map : maps)
   {
     Measure(terrain, map);

@@ -146,11 +146,12 @@ TEST(SkyModel, SunStandsWhereItIsSaidTo)
   const auto brightest =
     std::max_element(map.Pixels.begin(), map.Pixels.end()) - map.Pixels.begin();
   const auto pixel = brightest / 3;
-  EXPECT_EQ(pixel % SkyWidth, 560);          // 100 to 100.5 degrees
-  EXPECT_NEAR(pixel / SkyWidth, 109.0, 1.0); // 35 to 35.5 degrees
-  for (std::ptrdiff_t row = SkyHeight / 2; row < SkyHeight; ++row)
+  EXPECT_EQ(pixel % SkyWidth, 560); // 100 to 100.5 degrees
+  const auto row = pixel / SkyWidth;
+  EXPECT_TRUE(row >= 108 && row <= 110) << row; // 35 to 35.5 degrees
+  for (std::ptrdiff_t below = SkyHeight / 2; below < SkyHeight; ++below)
   {
-    EXPECT_EQ(map.At(7, row)[2], 0.0f);
+    EXPECT_EQ(map.At(7, below)[2], 0.0f);
   }
 }
 
