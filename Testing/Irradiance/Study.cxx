@@ -93,6 +93,14 @@ OwnedMap ReadMap(const std::string& file)
   return map;
 }
 
+/// A whole number; false for other text.
+bool ReadNumber(const char* text, int& number)
+{
+  char* end = nullptr;
+  number = static_cast<int>(std::strtol(text, &end, 10));
+  return end != text && *end == '\0';
+}
+
 /// Median, what 95 in 100 stay below, greatest.
 void PrintErrors(std::vector<double>& errors)
 {
@@ -226,16 +234,19 @@ int main(int argc, char** argv)
   using namespace skyline::testing;
   std::vector<int> part;
   int next = 3;
-  while (next < argc && next < 7 && std::atoi(argv[next]) + (argv[next][0] == '0') > 0)
+  int number = 0;
+  while (next < argc && next < 7 && ReadNumber(argv[next], number))
   {
-    part.push_back(std::atoi(argv[next++]));
+    part.push_back(number);
+    ++next;
   }
-  if (argc < 3 || (!part.empty() && part.size() != 4))
+  int posts = 0;
+  if (argc < 3 || !ReadNumber(argv[2], posts) || (!part.empty() && part.size() != 4))
   {
     std::fprintf(stderr, "usage: %s DEM POSTS [COLUMN ROW COLUMNS ROWS] [MAP]...\n", argv[0]);
     return 2;
   }
-  const Terrain terrain = ReadTerrain(argv[1], part, std::atoi(argv[2]));
+  const Terrain terrain = ReadTerrain(argv[1], part, posts);
   std::vector<NamedMap> maps{ { "uniform", OwnedMap(8, 4, 1.0f) },
     { "cie:12", OwnedMap(skyline::SkyWidth, skyline::SkyHeight) },
     { "one pixel of 1e5", SunnyMap(1024, 512, 131.0, 24.0) } };
