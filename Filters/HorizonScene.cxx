@@ -119,9 +119,8 @@ HorizonScene::HorizonScene(vtkImageData* image, vtkDataArray* heights, const Opt
 
 bool HorizonScene::Run(const std::vector<double>& azimuths, double width, Accumulator& consumer)
 {
-  this->Field.Transpose();
-  const auto method = MakeHorizonMethod(this->Field, this->Settings);
   Grid grid = this->Field.Posts();
+  const auto method = MakeHorizonMethod(this->Field, this->Settings);
   const double total = static_cast<double>(azimuths.size() * this->Bands.size());
   double done = 0.0;
   for (const double azimuth : azimuths)
@@ -136,6 +135,10 @@ bool HorizonScene::Run(const std::vector<double>& azimuths, double width, Accumu
       const double start = Now();
       grid.SpacingX = band.SpacingX;
       grid.SpacingY = band.SpacingY;
+      if (RayFrame::TakesColumns(grid, azimuth))
+      {
+        this->Field.Transpose(); // the first time; a sun in the north or south needs none
+      }
       method->SetAzimuth(grid, azimuth);
       vtkSMPTools::For(0, method->PrepareCount(),
         [&](vtkIdType begin, vtkIdType end) { method->Prepare(begin, end); });

@@ -66,7 +66,8 @@ protected:
   std::unique_ptr<RayFrame> Ray;
 };
 
-/// The method of the settings over a closed and transposed field, which must outlive it.
+/// The method of the settings over a closed field, which must outlive it and be transposed before an
+/// azimuth whose frame takes columns.
 /// std::invalid_argument for a surface that the method does not know.
 std::unique_ptr<HorizonMethod> MakeHorizonMethod(
   const HeightField& field, const HorizonSettings& settings);

@@ -67,12 +67,18 @@ Direction DirectionOfAzimuth(double degrees)
   }
 }
 
+bool RayFrame::TakesColumns(const Grid& grid, double azimuth)
+{
+  const Direction direction = DirectionOfAzimuth(azimuth);
+  return std::abs(direction.East / grid.SpacingX) > std::abs(direction.North / grid.SpacingY);
+}
+
 RayFrame::RayFrame(const HeightField& field, const Grid& grid, double azimuth, double sink)
 {
   const Direction direction = DirectionOfAzimuth(azimuth);
   double along = direction.North / grid.SpacingY; // lines per metre
   double across = direction.East / grid.SpacingX; // lanes per metre
-  this->Columns = std::abs(across) > std::abs(along);
+  this->Columns = TakesColumns(grid, azimuth);
   if (this->Columns)
   {
     std::swap(along, across);

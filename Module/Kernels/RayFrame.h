@@ -56,6 +56,9 @@ public:
   /// azimuth: degrees clockwise from grid north; sink: (1 - k) / 2R in 1/m, 0 for a flat body.
   RayFrame(const HeightField& field, const Grid& grid, double azimuth, double sink);
 
+  /// True if the frame's lines are columns of the image: the field must be transposed then.
+  static bool TakesColumns(const Grid& grid, double azimuth);
+
   const float* Heights = nullptr; ///< post (line 0, lane 0)
   std::ptrdiff_t LineStride = 0;  ///< floats to the next line along the rays, may be negative
   std::ptrdiff_t Lines = 0;       ///< lines of posts
