@@ -13,14 +13,22 @@ source, program, output, python_path = sys.argv[1:]
 readme = open(os.path.join(source, "README.md"), encoding="utf-8").read()
 
 commands = [line.strip() for line in readme.splitlines() if line.strip().startswith("$skyline ")]
-assert len(commands) >= 5, commands
+assert len(commands) >= 7, commands
 environment = dict(
     os.environ, skyline=program, dem=os.path.join(source, "Testing/Data/dem/SainteHelens.tif")
 )
+written = []
 for command in commands:
     print(command, flush=True)
-    subprocess.run(["bash", "-ec", command], cwd=output, env=environment, check=True)
-for name in re.findall(r"-o (\S+)", "\n".join(commands)):
+    run = subprocess.run(
+        ["bash", "-ec", command], cwd=output, env=environment, stderr=subprocess.PIPE, text=True
+    )
+    if "no OpenGL to draw a perspective with" in run.stderr:
+        print("  left out:", run.stderr.strip())
+        continue
+    assert run.returncode == 0, run.stderr
+    written += re.findall(r"-o (\S+)", command)
+for name in written:
     assert os.path.getsize(os.path.join(output, name)) > 10000, name
 
 code = re.search(r"```python\n(.*?)```", readme, re.S).group(1)
