@@ -119,8 +119,13 @@ HorizonScene::HorizonScene(vtkImageData* image, vtkDataArray* heights, const Opt
 
 bool HorizonScene::Run(const std::vector<double>& azimuths, double width, Accumulator& consumer)
 {
+  return this->Run(*MakeHorizonMethod(this->Field, this->Settings), azimuths, width, consumer);
+}
+
+bool HorizonScene::Run(HorizonMethod& method, const std::vector<double>& azimuths, double width,
+  Accumulator& consumer)
+{
   Grid grid = this->Field.Posts();
-  const auto method = MakeHorizonMethod(this->Field, this->Settings);
   const double total = static_cast<double>(azimuths.size() * this->Bands.size());
   double done = 0.0;
   for (const double azimuth : azimuths)
@@ -139,11 +144,11 @@ bool HorizonScene::Run(const std::vector<double>& azimuths, double width, Accumu
       {
         this->Field.Transpose(); // the first time; a sun in the north or south needs none
       }
-      method->SetAzimuth(grid, azimuth);
-      vtkSMPTools::For(0, method->PrepareCount(),
-        [&](vtkIdType begin, vtkIdType end) { method->Prepare(begin, end); });
+      method.SetAzimuth(grid, azimuth);
+      vtkSMPTools::For(0, method.PrepareCount(),
+        [&](vtkIdType begin, vtkIdType end) { method.Prepare(begin, end); });
       const double prepared = Now();
-      this->FindBand(*method, band, consumer);
+      this->FindBand(method, band, consumer);
       this->PrepareSeconds += prepared - start;
       this->SearchSeconds += Now() - prepared;
     }

@@ -39,6 +39,10 @@ public:
   /// radians. False if stopped.
   bool Run(const std::vector<double>& azimuths, double width, Accumulator& consumer);
 
+  /// The same with a method over PreparedField() other than that of the options.
+  bool Run(HorizonMethod& method, const std::vector<double>& azimuths, double width,
+    Accumulator& consumer);
+
   /// dz/dx and dz/dy of every post, row by row.
   void FillGradients(float* east, float* north) const;
 

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowHeightMap.h"
+
+#include "HorizonScene.h"
+#include "ShadowHeight.h"
+#include "ShadowHeightSweep.h"
+#include "SunField.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkShadowHeightMap);
+
+namespace
+{
+
+// Keeps what a method of shadow heights finds, and in the end turns it into heights of the input.
+class ShadowStore : public skyline::Accumulator
+{
+public:
+  ShadowStore(const skyline::HorizonScene& scene, vtkDataArray* heights, vtkFloatArray* shadows,
+    bool belowTerrain)
+    : Scene(scene)
+    , Heights(heights)
+    , Shadows(shadows->GetPointer(0))
+    , Columns(scene.Posts().Columns)
+    , BelowTerrain(belowTerrain)
+  {
+  }
+
+  void Begin(double, double) override {}
+
+  void Add(
+    std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count, const float* heights) override
+  {
+    std::copy_n(heights, count, this->Shadows + row * this->Columns + column);
+  }
+
+  void Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd) override
+  {
+    const double base = this->Scene.MeanHeight();
+    std::vector<float> buffer;
+    for (std::ptrdiff_t row = rowBegin; row < rowEnd; ++row)
+    {
+      const float* receivers = this->Scene.PreparedField().Receivers(false, row, buffer);
+      for (std::ptrdiff_t column = 0; column < this->Columns; ++column)
+      {
+        const vtkIdType post = row * this->Columns + column;
+        float& shadow = this->Shadows[post];
+        // Compared as the kernel knows them, so that rounding does not darken the posts that are lit.
+        const bool dark = shadow > receivers[column];
+        const auto ground = static_cast<float>(this->Heights->GetComponent(post, 0));
+        const auto found = static_cast<float>(base + static_cast<double>(shadow));
+        if (dark)
+        {
+          shadow = std::max(found, std::nextafter(ground, std::numeric_limits<float>::max()));
+        }
+        else
+        {
+          shadow =
+            this->BelowTerrain && shadow != skyline::NoShadow ? std::min(found, ground) : ground;
+        }
+      }
+    }
+  }
+
+private:
+  const skyline::HorizonScene& Scene;
+  vtkDataArray* Heights;
+  float* Shadows;
+  std::ptrdiff_t Columns;
+  bool BelowTerrain;
+};
+
+} // namespace
+
+void vtkShadowHeightMap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SunAzimuth: " << this->SunAzimuth << "\n"
+     << indent << "SunElevation: " << this->SunElevation << "\n"
+     << indent << "SunAngularRadius: " << this->SunAngularRadius << "\n"
+     << indent << "Soft: " << this->Soft << "\n"
+     << indent << "BelowTerrain: " << this->BelowTerrain << "\n";
+}
+
+bool vtkShadowHeightMap::AddShadow(skyline::HorizonScene& scene, vtkImageData* output,
+  const char* name, double elevation, bool risen, bool belowTerrain)
+{
+  vtkFloatArray* shadows = scene.AddArray(output, name);
+  if (!risen)
+  {
+    shadows->FillValue(std::numeric_limits<float>::infinity());
+    scene.BlankMissing(shadows);
+    return true;
+  }
+  const double slope = skyline::ShadowSlope(elevation);
+  std::unique_ptr<skyline::HorizonMethod> method;
+  if (this->Method == SWEEP)
+  {
+    method = std::make_unique<skyline::ShadowHeightSweep>(scene.PreparedField(), slope);
+  }
+  else
+  {
+    method = std::make_unique<skyline::ShadowHeightExact>(
+      scene.PreparedField(), slope, scene.UsedSettings().Sink);
+  }
+  ShadowStore store(scene, this->GetInputArrayToProcess(0, output), shadows, belowTerrain);
+  const bool finished = scene.Run(*method, { this->SunAzimuth }, 0.0, store);
+  scene.BlankMissing(shadows);
+  return finished;
+}
+
+bool vtkShadowHeightMap::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+{
+  if (this->Method == PYRAMID)
+  {
+    throw std::invalid_argument("the pyramid has no shadow heights; use exact or sweep");
+  }
+  if (this->Surface != TRIANGLES)
+  {
+    throw std::invalid_argument("shadow heights are those of the triangles; set that surface");
+  }
+  skyline::SunField::Constant(this->SunAzimuth, this->SunElevation, this->SunAngularRadius);
+  const double elevation = this->SunElevation * skyline::RadiansPerDegree;
+  const double radius = this->SunAngularRadius * skyline::RadiansPerDegree;
+  bool finished =
+    this->AddShadow(scene, output, "ShadowHeight", elevation, elevation > 0.0, this->BelowTerrain);
+  if (this->Soft && finished)
+  {
+    const bool risen = elevation + radius > 0.0;
+    finished =
+      this->AddShadow(scene, output, "ShadowHeightUpper", elevation + radius, risen, true) &&
+      this->AddShadow(scene, output, "ShadowHeightLower", elevation - radius, risen, true);
+  }
+  vtkNew<vtkDoubleArray> sun;
+  sun->SetName("ShadowSun");
+  sun->SetNumberOfComponents(3);
+  sun->InsertNextTuple3(this->SunAzimuth, this->SunElevation, this->SunAngularRadius);
+  output->GetFieldData()->AddArray(sun);
+  return finished;
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkShadowHeightMap
+ * @brief   how high the shadow of the terrain stands over every post
+ *
+ * Adds `ShadowHeight`, metres in the frame of the heights: a point above the post is in the shadow of
+ * the terrain if it lies lower (Lee & Kim). Where nothing shades the post it is the post's own height,
+ * so that ShadowHeight less the heights is how deep the post lies in shadow, 0 where it is lit; it is
+ * greater than the height in shadow alone.
+ *
+ * With Soft, adds the shadow heights of the two limbs of the disc, `ShadowHeightUpper` and
+ * `ShadowHeightLower`: below the first (the lower of the two heights) the whole disc is hidden, above
+ * the second nothing of it is. These are not cut off at the ground, since the ground may lie between
+ * them: the lit part of a post needs both. vtkShadowReceiver makes light of them, at any height.
+ *
+ * The sun counts above the horizontal plane alone, as in vtkHeightFieldSunShadow: with the centre, or
+ * the limb, on the plane or under it, its shadow height is infinite; with the lower limb alone there,
+ * ShadowHeightLower is that of a light in the plane. Above 89.9 degrees a sun casts its shadow as from
+ * there. The field data get `ShadowSun`: azimuth, elevation and angular radius, degrees.
+ *
+ * Method EXACT and FAST give the exact shadow of the triangles. SWEEP is Lee & Kim's recurrence as
+ * published, in one pass: exact where rays pass from post to post (the axes), worn down elsewhere; it
+ * knows no curvature, and runs once for each band of rows of one spacing. Neither PYRAMID nor the
+ * surface BILINEAR has shadow heights.
+ */
+#ifndef vtkShadowHeightMap_h
+#define vtkShadowHeightMap_h
+
+#include "vtkHeightFieldAlgorithm.h"
+
+class vtkDataArray;
+
+class SKYLINEFILTERS_EXPORT vtkShadowHeightMap : public vtkHeightFieldAlgorithm
+{
+public:
+  static vtkShadowHeightMap* New();
+  vtkTypeMacro(vtkShadowHeightMap, vtkHeightFieldAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The sun's azimuth, degrees clockwise from grid north (any number of turns; default 315), and
+  /// its apparent elevation, -90 to 90 degrees (default 45).
+  vtkSetMacro(SunAzimuth, double);
+  vtkGetMacro(SunAzimuth, double);
+  vtkSetMacro(SunElevation, double);
+  vtkGetMacro(SunElevation, double);
+  ///@}
+
+  ///@{
+  /// Angular radius of the disc, degrees, 0 (a point) to below 90; default 0.26645, the mean sun's.
+  /// Counts with Soft.
+  vtkSetMacro(SunAngularRadius, double);
+  vtkGetMacro(SunAngularRadius, double);
+  ///@}
+
+  ///@{
+  /// Add the shadow heights of the two limbs of the disc; default off.
+  vtkSetMacro(Soft, bool);
+  vtkGetMacro(Soft, bool);
+  vtkBooleanMacro(Soft, bool);
+  ///@}
+
+  ///@{
+  /// Let ShadowHeight fall below the ground, where the shadow passes below; then it crosses the
+  /// ground between posts where the shadow ends. Default off.
+  vtkSetMacro(BelowTerrain, bool);
+  vtkGetMacro(BelowTerrain, bool);
+  vtkBooleanMacro(BelowTerrain, bool);
+  ///@}
+
+protected:
+  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+
+  double SunAzimuth = 315.0;
+  double SunElevation = 45.0;
+  double SunAngularRadius = 0.26645;
+  bool Soft = false;
+  bool BelowTerrain = false;
+
+private:
+  // The shadow heights of a light of the elevation (radians); infinite unless it has risen.
+  bool AddShadow(skyline::HorizonScene& scene, vtkImageData* output, const char* name,
+    double elevation, bool risen, bool belowTerrain);
+};
+
+#endif
