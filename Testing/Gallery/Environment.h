@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A sky at dusk around a scene.
+#ifndef skyline_Environment_h
+#define skyline_Environment_h
+
+#include "KeyShading.h"
+
+#include <vector>
+
+namespace skyline
+{
+namespace gallery
+{
+
+/// Blue above, a warm glow low in the west: a light map that gives level open ground an irradiance of
+/// `brightness` (luminance).
+class Environment
+{
+public:
+  explicit Environment(double brightness);
+
+  /// RGB a post from 96 azimuths of exact horizons, each row of the map integrated in closed form.
+  std::vector<float> Direct(const Scene& scene) const;
+
+  /// RGB a post as SN08 and THESIS have it: visibility of 32 azimuths of the given horizons in wedges,
+  /// projected light, products of order 4.
+  std::vector<float> Published(const Scene& scene, const HorizonsAt& horizons) const;
+
+private:
+  std::vector<float> Pixels;
+};
+
+} // namespace gallery
+} // namespace skyline
+
+#endif

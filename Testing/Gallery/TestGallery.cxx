@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The gallery at small sizes: its pictures show something, and errors fall where they must.
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGReader.h"
+
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+/// The exit code of a program that could not run, as ctest has it.
+constexpr int Skipped = 77;
+
+/// A white sheet with captions has a dozen greys from the letters' rims.
+constexpr std::size_t LeastColors = 300;
+
+/// A tenth above the worst of the scenes at this size, the street of the city: per cent of the rms.
+constexpr double LampBound = 25.0;
+
+class Gallery : public ::testing::Test
+{
+protected:
+  /// False after a failure or a skip.
+  bool Run(const std::vector<std::string>& figures)
+  {
+    const std::string folder = SKYLINE_TEST_OUTPUT;
+    const std::string text = folder + "/" + figures.front() + ".txt";
+    std::string command = std::string("'") + SKYLINE_GALLERY + "' --quick -o '" + folder + "'";
+    for (const std::string& figure : figures)
+    {
+      std::remove((folder + "/" + figure + ".png").c_str());
+      command += " --figure " + figure;
+    }
+    const int status = std::system((command + " > '" + text + "'").c_str());
+    if (WIFEXITED(status) && WEXITSTATUS(status) == Skipped)
+    {
+      this->Missing = true;
+      return false;
+    }
+    EXPECT_EQ(status, 0) << command;
+    this->Read(text);
+    return status == 0;
+  }
+
+  /// Lines "| setting | against | rms | ..." and "| setting | what | value |" under "name: title".
+  void Read(const std::string& path)
+  {
+    std::ifstream file(path);
+    std::string line, figure;
+    while (std::getline(file, line))
+    {
+      if (line.rfind("| ", 0) == 0)
+      {
+        std::istringstream cells(line.substr(2));
+        std::string setting, against, value;
+        const auto cell = [&cells](std::string& text)
+        {
+          std::getline(cells, text, '|');
+          const auto first = text.find_first_not_of(' ');
+          const auto last = text.find_last_not_of(' ');
+          text = first == std::string::npos ? "" : text.substr(first, last - first + 1);
+        };
+        cell(setting);
+        cell(against);
+        cell(value);
+        this->Values[figure + "/" + setting + "/" + against] = std::atof(value.c_str());
+      }
+      else if (line.find(": ") != std::string::npos)
+      {
+        figure = line.substr(0, line.find(':'));
+      }
+    }
+  }
+
+  double Value(const std::string& figure, const std::string& setting, const std::string& against)
+  {
+    const auto found = this->Values.find(figure + "/" + setting + "/" + against);
+    EXPECT_NE(found, this->Values.end()) << figure << " " << setting << " " << against;
+    return found == this->Values.end() ? 0.0 : found->second;
+  }
+
+  /// Each value lies below `factor` times the one before.
+  void ExpectFalling(const std::string& figure, const std::vector<std::string>& settings,
+    const std::string& against, double factor = 1.0)
+  {
+    for (std::size_t k = 1; k < settings.size(); ++k)
+    {
+      EXPECT_LT(this->Value(figure, settings[k], against),
+        factor * this->Value(figure, settings[k - 1], against))
+        << figure << " " << settings[k];
+    }
+  }
+
+  static void ExpectPicture(const std::string& figure)
+  {
+    const std::string path = std::string(SKYLINE_TEST_OUTPUT) + "/" + figure + ".png";
+    vtkNew<vtkPNGReader> reader;
+    ASSERT_TRUE(reader->CanReadFile(path.c_str())) << path;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    vtkImageData* image = reader->GetOutput();
+    ASSERT_EQ(image->GetNumberOfScalarComponents(), 3);
+    const auto* code = static_cast<const unsigned char*>(image->GetScalarPointer());
+    std::set<int> colors;
+    vtkIdType black = 0;
+    const vtkIdType pixels = image->GetNumberOfPoints();
+    for (vtkIdType k = 0; k < pixels; ++k, code += 3)
+    {
+      colors.insert((code[0] << 16) | (code[1] << 8) | code[2]);
+      black += code[0] + code[1] + code[2] < 30 ? 1 : 0;
+    }
+    EXPECT_GT(colors.size(), LeastColors) << figure;
+    EXPECT_LT(black, pixels / 3) << figure << " is dark";
+  }
+
+  std::map<std::string, double> Values;
+  bool Missing = false;
+};
+
+TEST_F(Gallery, KeyLights)
+{
+  const std::vector<std::string> figures{ "sn08-3", "sn08-4", "sn08-6", "sn08-9", "sn08-10" };
+  if (!this->Run(figures))
+  {
+    if (this->Missing)
+    {
+      GTEST_SKIP() << "no OpenGL context";
+    }
+    return;
+  }
+  for (const std::string& figure : figures)
+  {
+    ExpectPicture(figure);
+  }
+  const std::string exact = "exact horizons", direct = "direct";
+  this->ExpectFalling("sn08-3", { "k = 1", "k = 2", "k = 3" }, exact);
+  this->ExpectFalling("sn08-4", { "o = 0", "o = 1", "o = 2", "o = 3", "o = 4" }, exact);
+  this->ExpectFalling("sn08-10", { "k = o = 1", "k = o = 2", "k = o = 4", "k = o = 8" }, exact);
+  const std::string edge = "steepest edge, % of the open light a metre";
+  this->ExpectFalling("sn08-6",
+    { "swath 11.25 degrees", "swath 22.5 degrees", "swath 45 degrees", "swath 90 degrees" }, edge);
+  const std::string crease = "largest crease, % of the open light";
+  this->ExpectFalling("sn08-9", { "linear 1D, bilinear 2D", "b-spline 1D and 2D" }, crease);
+  for (const std::string figure : { "sn08-3", "sn08-4", "sn08-9", "sn08-10" })
+  {
+    EXPECT_LT(this->Value(figure, "Skyline's default", direct),
+      0.5 * this->Value(figure, "exact horizons", direct))
+      << figure;
+  }
+}
+
+TEST_F(Gallery, Lamps)
+{
+  const std::vector<std::string> figures{ "thesis-6.1", "thesis-6.2", "thesis-6.3", "thesis-6.4",
+    "thesis-6.5" };
+  if (!this->Run(figures))
+  {
+    if (this->Missing)
+    {
+      GTEST_SKIP() << "no OpenGL context";
+    }
+    return;
+  }
+  for (const std::string& figure : figures)
+  {
+    ExpectPicture(figure);
+  }
+  this->ExpectFalling("thesis-6.1", { "4 azimuths", "8 azimuths", "16 azimuths", "32 azimuths" },
+    "128 azimuths", 0.6);
+  this->ExpectFalling("thesis-6.2", { "ls = 1", "ls = 2", "ls = 3" }, "exact horizons");
+  int scenes = 0;
+  for (const auto& value : this->Values)
+  {
+    const bool scene =
+      value.first.rfind("thesis-6.", 0) == 0 && value.first.find("/(") != std::string::npos;
+    scenes += scene ? 1 : 0;
+    if (scene)
+    {
+      EXPECT_LT(value.second, LampBound) << value.first;
+      EXPECT_GT(value.second, 0.0) << value.first;
+    }
+  }
+  EXPECT_EQ(scenes, 14);
+}
+
+TEST_F(Gallery, UnknownFigureIsRefused)
+{
+  const std::string command =
+    std::string("'") + SKYLINE_GALLERY + "' -o . --figure none > /dev/null 2>&1";
+  EXPECT_NE(std::system(command.c_str()), 0);
+}
+
+} // namespace
