@@ -84,17 +84,24 @@ bool vtkHeightFieldVisibility::Project(
     scene.FillGradients(gradients.data(), gradients.data() + posts);
   }
   vtkFloatArray* array = scene.AddArray(output, name, skyline::HarmonicCount(this->NumberOfBands));
-  skyline::HarmonicBuffers buffers;
-  buffers.Columns = scene.Posts().Columns;
-  buffers.Rows = scene.Posts().Rows;
-  buffers.Bands = this->NumberOfBands;
-  buffers.Values = array->GetPointer(0);
-  skyline::VisibilityAccumulator sky(buffers, withCosine ? gradients.data() : nullptr,
-    withCosine ? gradients.data() + posts : nullptr);
-  if (!scene.Run(azimuths, width, sky))
+  if (!this->Sum(scene, azimuths, width, withCosine ? gradients.data() : nullptr,
+        withCosine ? gradients.data() + posts : nullptr, array->GetPointer(0)))
   {
     return false;
   }
   scene.BlankMissing(array);
   return true;
+}
+
+bool vtkHeightFieldVisibility::Sum(skyline::HorizonScene& scene,
+  const std::vector<double>& azimuths, double width, const float* east, const float* north,
+  float* values)
+{
+  skyline::HarmonicBuffers buffers;
+  buffers.Columns = scene.Posts().Columns;
+  buffers.Rows = scene.Posts().Rows;
+  buffers.Bands = this->NumberOfBands;
+  buffers.Values = values;
+  skyline::VisibilityAccumulator sky(buffers, east, north);
+  return scene.Run(azimuths, width, sky);
 }

@@ -16,6 +16,8 @@
 
 #include "vtkHeightFieldAlgorithm.h"
 
+#include <vector> // For azimuths
+
 class SKYLINEFILTERS_EXPORT vtkHeightFieldVisibility : public vtkHeightFieldAlgorithm
 {
 public:
@@ -54,6 +56,11 @@ protected:
   /// Feeds the sky of all posts, times their cosine or not, to an array of the name.
   bool Project(
     skyline::HorizonScene& scene, vtkImageData* output, const char* name, bool withCosine);
+
+  /// Sums the sky over azimuths (degrees, each standing for `width` radians) into NumberOfBands^2
+  /// values a post; east, north: the posts' gradients, or null for no cosine. False if stopped.
+  virtual bool Sum(skyline::HorizonScene& scene, const std::vector<double>& azimuths, double width,
+    const float* east, const float* north, float* values);
 
   int NumberOfBands = 4;
   int NumberOfAzimuths = 32;

@@ -15,27 +15,6 @@ namespace
 constexpr double LeastStep = 1.0; // below, bilinear samples would jump over posts
 constexpr double GreatestStep = 16.0;
 
-/// The two samples of a finer level that a sample reads along one axis.
-struct LinearTaps
-{
-  std::ptrdiff_t First, Second;
-  float Weight; // of the second
-};
-
-std::vector<LinearTaps> DecimationTaps(double ratio, std::ptrdiff_t fine, std::ptrdiff_t coarse)
-{
-  std::vector<LinearTaps> taps(static_cast<std::size_t>(coarse));
-  for (std::ptrdiff_t c = 0; c < coarse; ++c)
-  {
-    const double place = (static_cast<double>(c) + 0.5) * ratio - 0.5;
-    const double low = std::floor(place);
-    const auto first = static_cast<std::ptrdiff_t>(low);
-    taps[static_cast<std::size_t>(c)] = { std::min(first, fine - 1), std::min(first + 1, fine - 1),
-      static_cast<float>(place - low) };
-  }
-  return taps;
-}
-
 std::vector<SplineTaps> TapsOf(double scale, std::ptrdiff_t posts, std::ptrdiff_t samples)
 {
   std::vector<SplineTaps> taps(static_cast<std::size_t>(posts));
@@ -58,6 +37,39 @@ std::ptrdiff_t SamplesOf(std::ptrdiff_t posts, double scale)
 int PyramidLevels(std::ptrdiff_t posts, double step)
 {
   return static_cast<int>(std::ceil(step * std::log2(static_cast<double>(posts)) - 1e-9)) + 1;
+}
+
+std::vector<PyramidSize> PyramidSizes(std::ptrdiff_t columns, std::ptrdiff_t rows, double step)
+{
+  if (!(step >= LeastStep && step <= GreatestStep))
+  {
+    throw std::invalid_argument(
+      "the pyramid has " + std::to_string(step) + " levels an octave; give 1 to 16");
+  }
+  const int levels = PyramidLevels(std::max(columns, rows), step);
+  std::vector<PyramidSize> sizes(static_cast<std::size_t>(levels));
+  for (int i = 0; i < levels; ++i)
+  {
+    const double scale = std::exp2((levels - 1 - i) / step);
+    sizes[static_cast<std::size_t>(i)] = { scale, SamplesOf(columns, scale),
+      SamplesOf(rows, scale) };
+  }
+  sizes.back() = { 1.0, columns, rows };
+  return sizes;
+}
+
+std::vector<LinearTaps> DecimationTaps(double ratio, std::ptrdiff_t fine, std::ptrdiff_t coarse)
+{
+  std::vector<LinearTaps> taps(static_cast<std::size_t>(coarse));
+  for (std::ptrdiff_t c = 0; c < coarse; ++c)
+  {
+    const double place = (static_cast<double>(c) + 0.5) * ratio - 0.5;
+    const double low = std::floor(place);
+    const auto first = static_cast<std::ptrdiff_t>(low);
+    taps[static_cast<std::size_t>(c)] = { std::min(first, fine - 1), std::min(first + 1, fine - 1),
+      static_cast<float>(place - low) };
+  }
+  return taps;
 }
 
 SplineTaps TapsAt(double place, double scale, std::ptrdiff_t samples)
@@ -84,14 +96,10 @@ HeightPyramid::HeightPyramid(const HeightField& field, double step)
   , Stride((field.Posts().Columns + 2 * Margin + 15) / 16 * 16)
   , Missing(field.HasMissing())
 {
-  if (!(step >= LeastStep && step <= GreatestStep))
-  {
-    throw std::invalid_argument(
-      "the pyramid has " + std::to_string(step) + " levels an octave; give 1 to 16");
-  }
   const Grid& grid = field.Posts();
-  const int levels = PyramidLevels(std::max(grid.Columns, grid.Rows), step);
-  this->Pyramid.resize(static_cast<std::size_t>(levels));
+  const std::vector<PyramidSize> sizes = PyramidSizes(grid.Columns, grid.Rows, step);
+  const int levels = static_cast<int>(sizes.size());
+  this->Pyramid.resize(sizes.size());
 
   PyramidLevel& finest = this->Pyramid.back();
   finest.Columns = grid.Columns;
@@ -119,9 +127,9 @@ HeightPyramid::HeightPyramid(const HeightField& field, double step)
   {
     const auto index = static_cast<std::size_t>(i);
     PyramidLevel& level = this->Pyramid[index];
-    level.Scale = std::exp2((levels - 1 - i) / step);
-    level.Columns = SamplesOf(grid.Columns, level.Scale);
-    level.Rows = SamplesOf(grid.Rows, level.Scale);
+    level.Scale = sizes[index].Scale;
+    level.Columns = sizes[index].Columns;
+    level.Rows = sizes[index].Rows;
     this->Decimate(this->Pyramid[index + 1], level);
   }
 

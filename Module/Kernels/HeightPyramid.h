@@ -16,6 +16,27 @@ namespace skyline
 /// Levels of a pyramid over n posts with `step` levels an octave: ceil(step log2 n) + 1.
 int PyramidLevels(std::ptrdiff_t posts, double step);
 
+/// Posts between the samples of a level, and its samples.
+struct PyramidSize
+{
+  double Scale = 1.0;
+  std::ptrdiff_t Columns = 0, Rows = 0;
+};
+
+/// All levels over columns x rows posts, the coarsest first. step: levels an octave, 1 to 16, else
+/// std::invalid_argument.
+std::vector<PyramidSize> PyramidSizes(std::ptrdiff_t columns, std::ptrdiff_t rows, double step);
+
+/// The two samples of a finer level that a sample reads along one axis.
+struct LinearTaps
+{
+  std::ptrdiff_t First, Second;
+  float Weight; ///< of the second
+};
+
+/// Those of all samples of an axis; ratio: of the scales, coarse to fine.
+std::vector<LinearTaps> DecimationTaps(double ratio, std::ptrdiff_t fine, std::ptrdiff_t coarse);
+
 /// One level. A sample stands for Scale x Scale posts; sample c lies at post (c + 1/2) Scale - 1/2
 /// along either axis, so that the first one's square begins where the first post's does.
 struct PyramidLevel

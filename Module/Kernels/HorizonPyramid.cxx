@@ -368,7 +368,9 @@ LevelTask TaskOf(const HeightPyramid& pyramid, const PyramidReach& reach, double
   return task;
 }
 
-void CheckSettings(const PyramidSettings& settings)
+} // namespace
+
+void CheckPyramidSettings(const PyramidSettings& settings)
 {
   if (!(settings.LevelOffset >= 0.0 && settings.LevelOffset <= 64.0))
   {
@@ -382,22 +384,34 @@ void CheckSettings(const PyramidSettings& settings)
   }
 }
 
-} // namespace
-
 std::vector<PyramidReach> PyramidReaches(
   const HeightPyramid& pyramid, const PyramidSettings& settings, const Grid& grid, double azimuth)
+{
+  std::vector<PyramidSize> levels;
+  for (int i = 0; i < pyramid.Levels(); ++i)
+  {
+    const PyramidLevel& level = pyramid.Level(i);
+    levels.push_back({ level.Scale, level.Columns, level.Rows });
+  }
+  return PyramidReaches(levels, settings, grid, azimuth);
+}
+
+std::vector<PyramidReach> PyramidReaches(const std::vector<PyramidSize>& levels,
+  const PyramidSettings& settings, const Grid& grid, double azimuth)
 {
   const Direction toward = DirectionOfAzimuth(azimuth);
   const double east = toward.East / grid.SpacingX; // posts a metre
   const double north = toward.North / grid.SpacingY;
   const double metresPerPost = 1.0 / std::hypot(east, north);
   std::vector<PyramidReach> reaches;
-  for (int i = 0; i < pyramid.Levels(); ++i)
+  const double finest = static_cast<double>(levels.size()) - 1.0;
+  for (const PyramidSize& level : levels)
   {
+    const auto i = static_cast<double>(reaches.size());
     const double sharper = std::ceil(i + settings.LevelStep * settings.LevelOffset - 1.0e-9);
     PyramidReach reach;
-    reach.Level = static_cast<int>(std::min(sharper, pyramid.Levels() - 1.0));
-    reach.Distance = settings.Distance * pyramid.Level(i).Scale * metresPerPost;
+    reach.Level = static_cast<int>(std::min(sharper, finest));
+    reach.Distance = settings.Distance * level.Scale * metresPerPost;
     reach.East = reach.Distance * east;
     reach.North = reach.Distance * north;
     reaches.push_back(reach);
@@ -411,7 +425,7 @@ HorizonPyramid::HorizonPyramid(const HeightField& field, const HorizonSettings& 
   , Columns(field.Posts().Columns)
   , Rows(field.Posts().Rows)
 {
-  CheckSettings(settings.Pyramid);
+  CheckPyramidSettings(settings.Pyramid);
   // Rows are lines in every azimuth: the frame of north.
   this->Ray = std::make_unique<RayFrame>(field, field.Posts(), 0.0, settings.Sink);
 }

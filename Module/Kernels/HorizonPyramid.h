@@ -52,6 +52,11 @@ private:
 /// Distances are measured so that on any grid the finest caster lies lambda posts away.
 std::vector<PyramidReach> PyramidReaches(
   const HeightPyramid& pyramid, const PyramidSettings& settings, const Grid& grid, double azimuth);
+std::vector<PyramidReach> PyramidReaches(const std::vector<PyramidSize>& levels,
+  const PyramidSettings& settings, const Grid& grid, double azimuth);
+
+/// std::invalid_argument for an offset or a distance out of range.
+void CheckPyramidSettings(const PyramidSettings& settings);
 
 } // namespace skyline
 

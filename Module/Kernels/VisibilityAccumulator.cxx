@@ -273,27 +273,6 @@ enum NormalPart
   ToNorth
 };
 
-WedgeWeights<double> WeightsOf(int bands, double azimuth, double width)
-{
-  WedgeWeights<double> weights{};
-  // sin a = cos p and cos a = sin p, so the products are of orders m - 1 and m + 1.
-  for (int m = 0; m < bands; ++m)
-  {
-    const SwathMean here = MeanOverSwath(m, azimuth, width);
-    const SwathMean less = MeanOverSwath(m - 1, azimuth, width);
-    const SwathMean more = MeanOverSwath(m + 1, azimuth, width);
-    weights.Cosine[m] = width * here.Cosine;
-    weights.Sine[m] = width * here.Sine;
-    weights.CosineEast[m] = 0.5 * width * (less.Cosine + more.Cosine);
-    weights.SineEast[m] = 0.5 * width * (more.Sine + less.Sine);
-    weights.CosineNorth[m] = 0.5 * width * (more.Sine - less.Sine);
-    weights.SineNorth[m] = 0.5 * width * (less.Cosine - more.Cosine);
-  }
-  weights.CosineEast[0] = width * std::sin(azimuth);
-  weights.CosineNorth[0] = width * std::cos(azimuth);
-  return weights;
-}
-
 WedgeWeights<float> InFloats(const WedgeWeights<double>& from)
 {
   WedgeWeights<float> to{};
@@ -333,6 +312,27 @@ std::vector<WedgeIntegral> InFloats(const std::vector<ElevationIntegral>& exact)
 }
 
 } // namespace
+
+WedgeWeights<double> WeightsOfSwath(int bands, double azimuth, double width)
+{
+  WedgeWeights<double> weights{};
+  // sin a = cos p and cos a = sin p, so the products are of orders m - 1 and m + 1.
+  for (int m = 0; m < bands; ++m)
+  {
+    const SwathMean here = MeanOverSwath(m, azimuth, width);
+    const SwathMean less = MeanOverSwath(m - 1, azimuth, width);
+    const SwathMean more = MeanOverSwath(m + 1, azimuth, width);
+    weights.Cosine[m] = width * here.Cosine;
+    weights.Sine[m] = width * here.Sine;
+    weights.CosineEast[m] = 0.5 * width * (less.Cosine + more.Cosine);
+    weights.SineEast[m] = 0.5 * width * (more.Sine + less.Sine);
+    weights.CosineNorth[m] = 0.5 * width * (more.Sine - less.Sine);
+    weights.SineNorth[m] = 0.5 * width * (less.Cosine - more.Cosine);
+  }
+  weights.CosineEast[0] = width * std::sin(azimuth);
+  weights.CosineNorth[0] = width * std::cos(azimuth);
+  return weights;
+}
 
 VisibilityAccumulator::VisibilityAccumulator(
   const HarmonicBuffers& buffers, const float* east, const float* north)
@@ -375,7 +375,7 @@ void VisibilityAccumulator::Begin(double azimuth, double width)
     // An azimuth that never comes weighs nothing.
     std::fill_n(this->Pass.Weights, WedgeGroup, WedgeWeights<float>());
   }
-  const WedgeWeights<double> weights = WeightsOf(this->Buffers.Bands, azimuth, width);
+  const WedgeWeights<double> weights = WeightsOfSwath(this->Buffers.Bands, azimuth, width);
   this->Pass.Weights[this->Waiting] = InFloats(weights);
   this->Pass.SinAzimuth[this->Waiting] = static_cast<float>(std::sin(azimuth));
   this->Pass.CosAzimuth[this->Waiting] = static_cast<float>(std::cos(azimuth));

@@ -45,6 +45,9 @@ struct WedgeWeights
   Real CosineNorth[MaxHarmonicBands], SineNorth[MaxHarmonicBands];
 };
 
+/// Those of a swath about `azimuth`, radians; width: of the swath.
+WedgeWeights<double> WeightsOfSwath(int bands, double azimuth, double width);
+
 /// An integral as the vector code takes it.
 struct WedgeIntegral
 {

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TwinFilter.h"
+
+#include "HorizonScene.h"
+
+#include "vtkTextureObject.h"
+
+#include <cstddef>
+#include <stdexcept>
+
+namespace skyline
+{
+
+void TwinFilter::SetDevice(vtkOpenGLHeightFieldDevice* device)
+{
+  this->Harmonics.reset(); // before its device goes
+  this->Device = device;
+}
+
+bool TwinFilter::Ready()
+{
+  return this->Device->IsAvailable() && this->Harmonics &&
+    this->Generation == this->Device->GetGeneration() && this->Time == this->Device->GetMTime();
+}
+
+bool TwinFilter::Run(
+  HorizonScene& scene, TwinHarmonics::Task task, bool readBack, bool& finished, std::string& reason)
+{
+  this->OnDevice = this->Filled = this->OneTile = false;
+  if (!TwinHarmonics::Unknown(scene.UsedSettings()).empty())
+  {
+    return false;
+  }
+  if (!this->Ready())
+  {
+    this->Harmonics.reset();
+    if (!this->Device->GetReason().empty())
+    {
+      this->Tell(this->Device->GetReason(), reason);
+      return false;
+    }
+    this->Harmonics = std::make_unique<TwinHarmonics>(this->Device->Twin(), this->Device->Limits());
+    this->Generation = this->Device->GetGeneration();
+    this->Time = this->Device->GetMTime();
+  }
+  try
+  {
+    this->Harmonics->Times.Wanted = this->Timed;
+    this->OneTile = this->Harmonics->FitsOneTile(scene);
+    if (!readBack && this->OneTile)
+    {
+      task.Values = nullptr;
+    }
+    this->Filled = task.Values != nullptr;
+    finished = this->Harmonics->Run(scene, task);
+    this->OnDevice = true;
+    this->Told.clear();
+    return true;
+  }
+  catch (const std::runtime_error& error)
+  {
+    this->Harmonics.reset();
+    this->OneTile = this->Filled = false;
+    this->Tell(error.what(), reason);
+    return false;
+  }
+}
+
+vtkTextureObject* TwinFilter::Image(int index) const
+{
+  if (!this->OnDevice || !this->OneTile || !this->Harmonics || index < 0 ||
+    static_cast<std::size_t>(index) >= this->Harmonics->Images().size())
+  {
+    return nullptr;
+  }
+  vtkTextureObject* image = this->Harmonics->Images()[static_cast<std::size_t>(index)];
+  return image->GetHandle() != 0 ? image : nullptr;
+}
+
+void TwinFilter::Tell(const std::string& why, std::string& reason)
+{
+  reason = why == this->Told ? "" : why;
+  this->Told = why;
+}
+
+} // namespace skyline

@@ -1,0 +1,505 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TwinHarmonics.h"
+
+#include "ElevationIntegral.h"
+#include "HorizonScene.h"
+#include "ShaderText.h"
+#include "SphericalHarmonics.h"
+#include "VisibilityAccumulator.h"
+
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace skyline
+{
+
+namespace
+{
+
+constexpr int PerImage = 4;
+constexpr int ImagesPerPass = 8; // OpenGL 3.2 has as many outputs
+constexpr int PerPass = PerImage * ImagesPerPass;
+
+double Now()
+{
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+std::string Number(double value)
+{
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.9e", value);
+  return text.data();
+}
+
+/// The integral in all four azimuths, from s, c, q = s s, sc = s c and the angle h.
+std::string IntegralText(const ElevationIntegral& integral)
+{
+  std::string p = Number(integral.Polynomial[static_cast<std::size_t>(integral.Terms - 1)]);
+  for (int k = integral.Terms - 2; k >= 0; --k)
+  {
+    p = "(" + p + " * q + " + Number(integral.Polynomial[static_cast<std::size_t>(k)]) + ")";
+  }
+  switch (integral.Kind)
+  {
+    case ElevationKind::Sine:
+      return "s * " + p;
+    case ElevationKind::Square:
+      return "q * " + p;
+    case ElevationKind::SineCosine:
+      return Number(integral.Constant) + " * h + sc * " + p;
+    case ElevationKind::Cosine:
+      break;
+  }
+  // Level ground loses exactly nothing.
+  return Number(-integral.Polynomial[0]) + " + c * " + p;
+}
+
+void Replace(std::string& text, const std::string& what, const std::string& with)
+{
+  const std::size_t at = text.find(what);
+  text.replace(at, what.size(), with);
+}
+
+std::string Index(int i)
+{
+  return std::to_string(i);
+}
+
+void Check(bool built)
+{
+  if (!built)
+  {
+    throw std::runtime_error("OpenGL cannot build the shaders of harmonics");
+  }
+}
+
+TwinTexture Checked(TwinTexture texture)
+{
+  if (!texture)
+  {
+    throw std::runtime_error("OpenGL has no memory for harmonics");
+  }
+  return texture;
+}
+
+/// The texels of TwinWedges.glsl for up to four azimuths; one that is not there weighs nothing.
+std::vector<float> WeightTexels(int bands, const std::vector<double>& azimuths, double width)
+{
+  std::vector<float> texels(static_cast<std::size_t>(4 * (2 + 6 * bands)), 0.0f);
+  for (std::size_t k = 0; k < azimuths.size(); ++k)
+  {
+    const double azimuth = azimuths[k] * RadiansPerDegree;
+    texels[k] = static_cast<float>(std::sin(azimuth));
+    texels[4 + k] = static_cast<float>(std::cos(azimuth));
+    const WedgeWeights<double> weights = WeightsOfSwath(bands, azimuth, width);
+    for (int m = 0; m < bands; ++m)
+    {
+      const double of[6] = { weights.Cosine[m], weights.Sine[m], weights.CosineEast[m],
+        weights.SineEast[m], weights.CosineNorth[m], weights.SineNorth[m] };
+      for (int j = 0; j < 6; ++j)
+      {
+        texels[static_cast<std::size_t>(4 * (2 + 6 * m + j)) + k] = static_cast<float>(of[j]);
+      }
+    }
+  }
+  return texels;
+}
+
+/// What is there without any horizon, for the parts of the normal up, east and north.
+std::array<std::vector<double>, 3> Wholes(
+  int bands, const std::vector<double>& azimuths, double width, bool transfer)
+{
+  const auto count = static_cast<std::size_t>(HarmonicCount(bands));
+  std::array<std::vector<double>, 3> wholes;
+  wholes.fill(std::vector<double>(count, 0.0));
+  const auto visible = ElevationIntegrals(bands, ElevationWeight::One);
+  const auto upward = ElevationIntegrals(bands, ElevationWeight::Upward);
+  const auto forward = ElevationIntegrals(bands, ElevationWeight::Forward);
+  for (const double degrees : azimuths)
+  {
+    const WedgeWeights<double> weights = WeightsOfSwath(bands, degrees * RadiansPerDegree, width);
+    std::size_t index = 0;
+    for (int m = 0; m < bands; ++m)
+    {
+      for (int l = m; l < bands; ++l, ++index)
+      {
+        const auto plus = static_cast<std::size_t>(HarmonicIndex(l, m));
+        const auto minus = static_cast<std::size_t>(HarmonicIndex(l, -m));
+        const double up = (transfer ? upward : visible)[index].Whole;
+        const double ahead = transfer ? forward[index].Whole : 0.0;
+        wholes[0][plus] += up * weights.Cosine[m];
+        wholes[1][plus] -= ahead * weights.CosineEast[m];
+        wholes[2][plus] -= ahead * weights.CosineNorth[m];
+        if (m > 0)
+        {
+          wholes[0][minus] += up * weights.Sine[m];
+          wholes[1][minus] -= ahead * weights.SineEast[m];
+          wholes[2][minus] -= ahead * weights.SineNorth[m];
+        }
+      }
+    }
+  }
+  return wholes;
+}
+
+} // namespace
+
+/// Adds the time of its life to a sum.
+class TwinHarmonics::Lap
+{
+public:
+  Lap(TwinHarmonics& owner, double& sum)
+    : Owner(owner)
+    , Sum(sum)
+    , Start(owner.Times.Wanted ? Now() : 0.0)
+  {
+  }
+  ~Lap()
+  {
+    if (this->Owner.Times.Wanted)
+    {
+      this->Owner.Device.Finish();
+      this->Sum += Now() - this->Start;
+    }
+  }
+  Lap(const Lap&) = delete;
+  Lap& operator=(const Lap&) = delete;
+
+private:
+  TwinHarmonics& Owner;
+  double& Sum;
+  double Start;
+};
+
+TwinHarmonics::TwinHarmonics(TwinDevice& device, const TwinLimits& limits)
+  : Device(device)
+  , Limits(limits)
+{
+}
+
+TwinHarmonics::~TwinHarmonics() = default;
+
+std::string TwinHarmonics::Unknown(const HorizonSettings& settings)
+{
+  if (settings.Method == HorizonMethodKind::Sweep)
+  {
+    return "the sweep has no twin on the graphics processor";
+  }
+  if (settings.Method != HorizonMethodKind::Pyramid && settings.Shape == Surface::Bilinear)
+  {
+    return "bilinear surfaces have no twin on the graphics processor";
+  }
+  return {};
+}
+
+bool TwinHarmonics::FitsOneTile(HorizonScene& scene)
+{
+  const HorizonSettings& settings = scene.UsedSettings();
+  const Grid& grid = scene.Posts();
+  const TwinState state(this->Device);
+  if (!this->Horizons || this->Method != settings.Method)
+  {
+    this->Horizons = MakeTwinHorizons(this->Device, settings.Method, this->Limits);
+    this->Method = settings.Method;
+  }
+  {
+    const Lap lap(*this, this->Times.Load);
+    this->Horizons->Load(scene.PreparedField(), settings);
+  }
+  this->Side = std::min(this->Horizons->TileSide(), this->Device.ImageLimit());
+  this->Side = this->Limits.Side > 0 ? std::min(this->Side, this->Limits.Side) : this->Side;
+  return std::max(grid.Columns, grid.Rows) <= this->Side;
+}
+
+bool TwinHarmonics::Run(HorizonScene& scene, const Task& task)
+{
+  const TwinState state(this->Device);
+  const int side = this->Side;
+  const Grid& grid = scene.Posts();
+  const int columns = static_cast<int>(grid.Columns);
+  const int rows = static_cast<int>(grid.Rows);
+  const int across = (columns + side - 1) / side;
+  const int tiles = across * ((rows + side - 1) / side);
+  for (int i = 0; i < tiles; ++i)
+  {
+    TwinArea tile{ i % across * side, i / across * side, side, side };
+    tile.Width = std::min(side, columns - tile.X);
+    tile.Height = std::min(side, rows - tile.Y);
+    if (!this->SumTile(scene, task, tile, 1.0 * i / tiles, (i + 1.0) / tiles))
+    {
+      return false;
+    }
+    if (task.Values)
+    {
+      const Lap lap(*this, this->Times.Read);
+      this->ReadTile(scene, task, tile);
+    }
+  }
+  return true;
+}
+
+void TwinHarmonics::Prepare(const Task& task, const TwinArea& tile)
+{
+  const bool transfer = task.East != nullptr;
+  const int count = HarmonicCount(task.Bands);
+  const bool changed = task.Bands != this->Bands || transfer != this->Transfer;
+  if (changed)
+  {
+    this->Bands = 0; // until all is there
+    this->Wedges.clear();
+    for (int begin = 0; begin < count; begin += PerPass)
+    {
+      this->Wedges.push_back(std::make_unique<TwinPass>(this->Device,
+        this->WedgeText(task.Bands, transfer, begin, std::min(begin + PerPass, count))));
+    }
+  }
+  if (changed || tile.Width != this->Width || tile.Height != this->Height)
+  {
+    this->Sums.clear();
+    for (int i = 0; i < count; i += PerImage)
+    {
+      this->Sums.push_back(Checked(this->Device.Image(tile.Width, tile.Height, PerImage)));
+    }
+    this->Angles = Checked(this->Device.Image(tile.Width, tile.Height, 4));
+    this->Lit = nullptr;
+  }
+  if (transfer)
+  {
+    std::vector<float> gradients;
+    gradients.reserve(
+      static_cast<std::size_t>(2 * tile.Width) * static_cast<std::size_t>(tile.Height));
+    const std::ptrdiff_t columns = this->Columns;
+    for (std::ptrdiff_t row = tile.Y; row < tile.Y + tile.Height; ++row)
+    {
+      for (std::ptrdiff_t post = row * columns + tile.X; post < row * columns + tile.X + tile.Width;
+           ++post)
+      {
+        gradients.push_back(task.East[post]);
+        gradients.push_back(task.North[post]);
+      }
+    }
+    this->Gradients = Checked(this->Device.Image(tile.Width, tile.Height, 2, gradients.data()));
+  }
+  this->Bands = task.Bands;
+  this->Transfer = transfer;
+  this->Width = tile.Width;
+  this->Height = tile.Height;
+}
+
+bool TwinHarmonics::SumTile(
+  HorizonScene& scene, const Task& task, const TwinArea& tile, double begin, double end)
+{
+  this->Columns = scene.Posts().Columns;
+  {
+    const Lap lap(*this, this->Times.Load);
+    this->Prepare(task, tile);
+  }
+  const std::vector<double>& azimuths = *task.Azimuths;
+  const auto wholes = Wholes(task.Bands, azimuths, task.Width, this->Transfer);
+  const std::size_t count = azimuths.size();
+  for (std::size_t first = 0; first < count; first += TwinHorizons::Group)
+  {
+    const std::size_t last = std::min(first + TwinHorizons::Group, count);
+    if (scene.Progress &&
+      !scene.Progress(
+        begin + (end - begin) * static_cast<double>(first) / static_cast<double>(count)))
+    {
+      return false;
+    }
+    const std::vector<double> group(azimuths.begin() + static_cast<std::ptrdiff_t>(first),
+      azimuths.begin() + static_cast<std::ptrdiff_t>(last));
+    {
+      const Lap lap(*this, this->Times.Horizons);
+      for (const RowBand& band : scene.BandsOfRows())
+      {
+        const int from = std::max(static_cast<int>(band.RowBegin), tile.Y);
+        const int to = std::min(static_cast<int>(band.RowEnd), tile.Y + tile.Height);
+        if (from < to)
+        {
+          Grid grid = scene.Posts();
+          grid.SpacingX = band.SpacingX;
+          grid.SpacingY = band.SpacingY;
+          this->Horizons->Find(
+            tile, { 0, from - tile.Y, tile.Width, to - from }, grid, group, this->Angles);
+        }
+      }
+    }
+    const Lap lap(*this, this->Times.Wedges);
+    const std::vector<float> texels = WeightTexels(task.Bands, group, task.Width);
+    const TwinTexture weights =
+      Checked(this->Device.Image(static_cast<int>(texels.size() / 4), 1, 4, texels.data()));
+    for (std::size_t pass = 0; pass < this->Wedges.size(); ++pass)
+    {
+      TwinPass& wedge = *this->Wedges[pass];
+      Check(wedge.Use());
+      wedge.Set("horizons", this->Angles);
+      wedge.Set("weights", weights);
+      wedge.Set("whole", first == 0 ? 1.0f : 0.0f);
+      std::vector<float> vectors(static_cast<std::size_t>(3 * PerPass), 0.0f);
+      for (std::size_t part = 0; part < 3; ++part)
+      {
+        for (std::size_t c = 0; c < PerPass && pass * PerPass + c < wholes[part].size(); ++c)
+        {
+          vectors[part * PerPass + c] = static_cast<float>(wholes[part][pass * PerPass + c]);
+        }
+      }
+      wedge.Set("wholes", vectors);
+      if (this->Transfer)
+      {
+        wedge.Set("gradients", this->Gradients);
+      }
+      std::vector<vtkTextureObject*> targets;
+      for (std::size_t i = pass * ImagesPerPass;
+           i < std::min((pass + 1) * ImagesPerPass, this->Sums.size()); ++i)
+      {
+        targets.push_back(this->Sums[i]);
+      }
+      wedge.Draw(targets, { 0, 0, tile.Width, tile.Height }, first != 0);
+    }
+  }
+  return true;
+}
+
+void TwinHarmonics::ReadTile(HorizonScene& scene, const Task& task, const TwinArea& tile)
+{
+  const std::ptrdiff_t columns = scene.Posts().Columns;
+  const int count = HarmonicCount(task.Bands);
+  std::vector<float> texels(
+    static_cast<std::size_t>(4 * tile.Width) * static_cast<std::size_t>(tile.Height));
+  for (std::size_t i = 0; i < this->Sums.size(); ++i)
+  {
+    this->Device.Read(this->Sums[i], { 0, 0, tile.Width, tile.Height }, texels.data());
+    const auto first = PerImage * static_cast<int>(i);
+    const int here = std::min(PerImage, count - first);
+    const float* texel = texels.data();
+    for (std::ptrdiff_t row = tile.Y; row < tile.Y + tile.Height; ++row)
+    {
+      float* to = task.Values + (row * columns + tile.X) * count + first;
+      for (int column = 0; column < tile.Width; ++column, texel += 4, to += count)
+      {
+        std::copy_n(texel, here, to);
+      }
+    }
+  }
+}
+
+std::string TwinHarmonics::WedgeText(int bands, bool transfer, int begin, int end)
+{
+  std::string sums;
+  const int images = (end - begin + PerImage - 1) / PerImage;
+  for (int i = 0; i < images; ++i)
+  {
+    sums += "  vec4 lost" + Index(i) + " = vec4(0.0);\n";
+  }
+  sums += "  vec4 up0, ahead0, along, alongMinus;\n";
+  const auto add = [&](int coefficient, const std::string& value)
+  {
+    if (coefficient >= begin && coefficient < end)
+    {
+      const int i = coefficient - begin;
+      sums += "  lost" + Index(i / PerImage) + "[" + Index(i % PerImage) + "] += " + value + ";\n";
+    }
+  };
+  const auto visible = ElevationIntegrals(bands, ElevationWeight::One);
+  const auto upward = ElevationIntegrals(bands, ElevationWeight::Upward);
+  const auto forward = ElevationIntegrals(bands, ElevationWeight::Forward);
+  std::size_t index = 0;
+  for (int m = 0; m < bands; ++m)
+  {
+    const auto weight = [m](int which) { return "Weight(" + Index(m) + ", " + Index(which) + ")"; };
+    if (transfer)
+    {
+      sums += "  along = gradient.x * " + weight(2) + " + gradient.y * " + weight(4) + ";\n";
+      sums += "  alongMinus = gradient.x * " + weight(3) + " + gradient.y * " + weight(5) + ";\n";
+    }
+    for (int l = m; l < bands; ++l, ++index)
+    {
+      const int plus = HarmonicIndex(l, m);
+      const int minus = HarmonicIndex(l, -m);
+      if ((plus < begin || plus >= end) && (minus < begin || minus >= end))
+      {
+        continue;
+      }
+      sums += "  up0 = " + IntegralText((transfer ? upward : visible)[index]) + ";\n";
+      if (transfer)
+      {
+        sums += "  ahead0 = " + IntegralText(forward[index]) + ";\n";
+      }
+      add(plus, "dot(" + weight(0) + ", up0)" + (transfer ? " - dot(along, ahead0)" : ""));
+      if (m > 0)
+      {
+        add(minus, "dot(" + weight(1) + ", up0)" + (transfer ? " - dot(alongMinus, ahead0)" : ""));
+      }
+    }
+  }
+  for (int i = 0; i < images; ++i)
+  {
+    const std::string wholes = "wholes[" + Index(i) + "] + gradient.x * wholes[" +
+      Index(ImagesPerPass + i) + "] + gradient.y * wholes[" + Index(2 * ImagesPerPass + i) + "]";
+    sums +=
+      "  gl_FragData[" + Index(i) + "] = up * (whole * (" + wholes + ") - lost" + Index(i) + ");\n";
+  }
+  std::string text = ShaderPart(skyline_TwinWedges, "Sum");
+  Replace(text, "  //Fill::Plane\n", transfer ? ShaderPart(skyline_TwinWedges, "Plane") : "");
+  Replace(text, "  //Fill::Integrals\n", sums);
+  return TwinText({ ShaderPart(skyline_TwinAngles), ShaderPart(skyline_TwinWedges),
+    transfer ? ShaderPart(skyline_TwinWedges, "Transfer") : "", text });
+}
+
+TwinTexture TwinHarmonics::Light(const std::vector<double>& coefficients)
+{
+  const TwinState state(this->Device);
+  const Lap lap(*this, this->Times.Light);
+  if (!this->Lighting || this->LitImages != this->Sums.size())
+  {
+    std::string text = ShaderPart(skyline_TwinLight);
+    std::string images, sum;
+    for (int i = 0; i < static_cast<int>(this->Sums.size()); ++i)
+    {
+      images += "uniform sampler2D image" + Index(i) + ";\n";
+      sum += "  vec4 t" + Index(i) + " = texelFetch(image" + Index(i) + ", at, 0);\n  sum += vec3(";
+      for (int c = 0; c < 3; ++c)
+      {
+        sum += (c > 0 ? ", " : "") + std::string("dot(t") + Index(i) + ", light[" +
+          Index(3 * i + c) + "])";
+      }
+      sum += ");\n";
+    }
+    Replace(text, "//Fill::Images\n", images);
+    Replace(text, "  //Fill::Sum\n", sum);
+    this->Lighting = std::make_unique<TwinPass>(this->Device, TwinText({ text }));
+    this->LitImages = this->Sums.size();
+  }
+  if (!this->Lit)
+  {
+    this->Lit = Checked(this->Device.Image(this->Width, this->Height, 4));
+    this->Lit->SetMinificationFilter(vtkTextureObject::Linear);
+    this->Lit->SetMagnificationFilter(vtkTextureObject::Linear);
+  }
+  const std::size_t count = coefficients.size() / 3;
+  std::vector<float> light(12 * this->Sums.size(), 0.0f);
+  for (std::size_t c = 0; c < coefficients.size(); ++c)
+  {
+    const std::size_t i = c % count;
+    light[12 * (i / PerImage) + 4 * (c / count) + i % PerImage] =
+      static_cast<float>(coefficients[c]);
+  }
+  Check(this->Lighting->Use());
+  for (std::size_t i = 0; i < this->Sums.size(); ++i)
+  {
+    this->Lighting->Set(("image" + Index(static_cast<int>(i))).c_str(), this->Sums[i].GetPointer());
+  }
+  this->Lighting->Set("light", light);
+  this->Lighting->Draw({ this->Lit }, { 0, 0, this->Width, this->Height });
+  return this->Lit;
+}
+
+} // namespace skyline

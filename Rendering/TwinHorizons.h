@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Horizons on the graphics processor: images of four azimuths each.
+#ifndef skyline_TwinHorizons_h
+#define skyline_TwinHorizons_h
+
+#include "TwinDevice.h"
+
+#include "HorizonMethod.h"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace skyline
+{
+
+/// What may be asked of the graphics processor at a time.
+struct TwinLimits
+{
+  int Side = 0;                                ///< greatest side of a texture; 0: OpenGL's own
+  std::size_t Memory = std::size_t{ 1 } << 30; ///< bytes for the pyramid
+};
+
+/// A method of finding horizons; errors are std::runtime_error in one line. Azimuths come in fours.
+class TwinHorizons
+{
+public:
+  static constexpr int Group = 4;
+
+  virtual ~TwinHorizons() = default;
+
+  /// A new surface, which outlives the calls that follow. What does not depend on the heights stays.
+  virtual void Load(const HeightField& field, const HorizonSettings& settings) = 0;
+
+  /// Greatest side of the tiles that Find fills.
+  virtual int TileSide() const = 0;
+
+  /// Horizons (radians) of the posts of a tile, within its rows [area.Y, area.Y + area.Height): to the
+  /// same places of an image as large as the tile; tile.X, tile.Y: its first post. azimuths: degrees, one to
+  /// four; those that are not there get any horizon. grid: with the spacing that holds in the rows.
+  virtual void Find(const TwinArea& tile, const TwinArea& area, const Grid& grid,
+    const std::vector<double>& azimuths, vtkTextureObject* horizons) = 0;
+};
+
+/// The pyramid (Method Pyramid) or all edges (any other).
+std::unique_ptr<TwinHorizons> MakeTwinHorizons(
+  TwinDevice& device, HorizonMethodKind method, const TwinLimits& limits);
+
+/// The text of a fragment shader: VTK's markers, then the parts.
+std::string TwinText(const std::vector<std::string>& parts);
+
+} // namespace skyline
+
+#endif

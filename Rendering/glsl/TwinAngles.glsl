@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Angles and their sines to the rounding of floats, whatever the driver's own functions do.
+const float RightAngle = 1.57079632679;
+
+// atan t, by the polynomial of FastMath-inl.h.
+vec4 AngleOf(vec4 t)
+{
+  vec4 size = abs(t);
+  vec4 z = min(size, 1.0) / max(size, 1.0);
+  vec4 q = z * z;
+  vec4 p = vec4(2.622244414e-03);
+  p = p * q - 1.513253618e-02;
+  p = p * q + 4.112185910e-02;
+  p = p * q - 7.366705686e-02;
+  p = p * q + 1.057393178e-01;
+  p = p * q - 1.418597549e-01;
+  p = p * q + 1.999039650e-01;
+  p = p * q - 3.333298564e-01;
+  vec4 low = z + z * q * p;
+  return mix(low, RightAngle - low, greaterThan(size, vec4(1.0))) * sign(t);
+}
+
+// sin h and cos h for |h| up to 45 degrees: Taylor's series, 2e-9 and 2e-10 off.
+vec4 LowSine(vec4 h)
+{
+  vec4 q = h * h;
+  vec4 p = ((q / 362880.0 - 1.0 / 5040.0) * q + 1.0 / 120.0) * q - 1.0 / 6.0;
+  return h + h * q * p;
+}
+
+vec4 LowCosine(vec4 h)
+{
+  vec4 q = h * h;
+  vec4 p = ((-q / 3628800.0 + 1.0 / 40320.0) * q - 1.0 / 720.0) * q + 1.0 / 24.0;
+  return 1.0 - 0.5 * q + q * q * p;
+}
+
+// sin h and cos h for |h| up to a right angle.
+void SineAndCosine(vec4 h, out vec4 sine, out vec4 cosine)
+{
+  vec4 size = abs(h);
+  vec4 low = min(size, RightAngle - size);
+  bvec4 steep = greaterThan(size, vec4(0.5 * RightAngle));
+  vec4 s = LowSine(low);
+  vec4 c = LowCosine(low);
+  sine = mix(s, c, steep) * sign(h);
+  cosine = mix(c, s, steep);
+}
