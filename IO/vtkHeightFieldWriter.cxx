@@ -30,7 +30,7 @@ std::string DefaultDescription(vtkDataArray* array, int component)
 std::string DefaultUnit(vtkDataArray* array)
 {
   const std::string name = array->GetName() ? array->GetName() : "";
-  return name == "Elevation" || name == "ShadowHeight" ? "m" : "";
+  return name == "Elevation" || name.rfind("ShadowHeight", 0) == 0 ? "m" : "";
 }
 
 /// The text given for a band, or its default.

@@ -34,6 +34,10 @@ std::string UnitOf(const std::string& array)
   {
     return "W/m2";
   }
+  if (array.rfind("ShadowHeight", 0) == 0)
+  {
+    return "m";
+  }
   return array == "HorizonElevation" || array == "PositiveOpenness" ? "degree" : "1";
 }
 

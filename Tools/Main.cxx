@@ -35,6 +35,7 @@ int Run(int argc, char** argv)
   skyline::AddHorizon(program);
   skyline::AddSkyView(program);
   skyline::AddSun(program);
+  skyline::AddShadowHeight(program);
   skyline::AddIrradiance(program);
   skyline::AddShade(program);
   try

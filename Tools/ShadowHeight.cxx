@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Commands.h"
+
+#include "Failure.h"
+#include "Files.h"
+#include "Options.h"
+#include "SunLight.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkShadowHeightMap.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+struct ShadowHeightCommand
+{
+  skyline::TerrainOptions Terrain;
+  skyline::OutputOptions Output;
+  skyline::HorizonOptions Horizon;
+  skyline::SunOptions Sun;
+  bool Soft = false;
+  skyline::Talk Talk;
+
+  void Run() const
+  {
+    skyline::PrepareVtk(this->Talk);
+    skyline::CheckOutput(this->Output.File, this->Terrain.File);
+    if (this->Sun.LimbDarkening)
+    {
+      throw skyline::Failure("--limb-darkening changes no shadow height; leave it out");
+    }
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+    const skyline::Center center = skyline::CenterOf(terrain);
+    const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
+    vtkNew<vtkShadowHeightMap> shadow;
+    shadow->SetInputData(terrain);
+    this->Horizon.Apply(shadow.Get());
+    shadow->SetSunAzimuth(sun.GridAzimuth);
+    shadow->SetSunElevation(sun.ApparentElevation);
+    shadow->SetSunAngularRadius(sun.Radius);
+    shadow->SetSoft(this->Soft);
+    skyline::RunPass(shadow, "shadow height", this->Talk);
+    std::vector<std::string> bands{ "ShadowHeight" };
+    if (this->Soft)
+    {
+      bands.insert(bands.end(), { "ShadowHeightUpper", "ShadowHeightLower" });
+    }
+    skyline::WriteRaster(shadow, bands, this->Output, this->Talk);
+  }
+};
+
+} // namespace
+
+namespace skyline
+{
+
+void AddShadowHeight(CLI::App& program)
+{
+  CLI::App* app =
+    program.add_subcommand("shadow-height", "How high the shadow of the terrain stands");
+  const auto command = std::make_shared<ShadowHeightCommand>();
+  app->footer(
+    "Writes a GeoTIFF of float32 in metres. ShadowHeight: what lies lower above the post "
+    "is in the shadow of the\nterrain; the post's own height where it is lit, infinite "
+    "for a sun under the horizontal plane. With --soft\nalso ShadowHeightUpper and "
+    "ShadowHeightLower, for the upper and lower limb of the disc: below the first all\nof "
+    "the sun is hidden, above the second none; these may lie under the ground. One sun "
+    "for the whole DEM:\nwith --time, that over its centre.");
+  command->Terrain.AddTo(*app);
+  command->Output.AddTo(*app, "GeoTIFF to write", true);
+  command->Sun.AddTo(*app);
+  app->add_flag("--soft", command->Soft, "Add the shadow heights of the limbs of the sun's disc");
+  command->Horizon.AddTo(*app, false);
+  AddTalk(*app, command->Talk);
+  app->callback([command] { command->Run(); });
+}
+
+} // namespace skyline
