@@ -25,6 +25,8 @@ public:
   /// the coefficients, nothing below 0.
   void Light(const float* transfer, std::ptrdiff_t begin, std::ptrdiff_t end, float* rgb) const;
 
+  const std::vector<double>& GetCoefficients() const { return this->Coefficients; }
+
 private:
   int Bands;
   std::vector<double> Coefficients;

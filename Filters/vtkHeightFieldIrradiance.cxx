@@ -240,11 +240,19 @@ bool vtkHeightFieldIrradiance::AddHarmonics(skyline::HorizonScene& scene,
     sum.Add(DiscOf(sun, scene));
   }
 
-  const Grid& grid = scene.Posts();
-  const auto count = static_cast<std::size_t>(grid.Columns * grid.Rows);
   std::vector<double> key = surface;
   key.insert(key.end(),
     { 1.0 * this->NumberOfAzimuths, 1.0 * this->HarmonicBands, this->Horizontal ? 1.0 : 0.0 });
+  return this->LightByHarmonics(scene, sum, key, posts);
+}
+
+bool vtkHeightFieldIrradiance::LightByHarmonics(skyline::HorizonScene& scene,
+  const skyline::HarmonicLight& light, const std::vector<double>& key,
+  const skyline::LitPosts& posts)
+{
+  using namespace skyline;
+  const Grid& grid = scene.Posts();
+  const auto count = static_cast<std::size_t>(grid.Columns * grid.Rows);
   std::vector<float>& transfer = this->Internals->Transfer;
   if (key != this->Internals->TransferKey)
   {
@@ -268,7 +276,7 @@ bool vtkHeightFieldIrradiance::AddHarmonics(skyline::HorizonScene& scene,
   }
   vtkSMPTools::For(0, static_cast<vtkIdType>(count),
     [&](vtkIdType begin, vtkIdType end)
-    { sum.Light(transfer.data(), begin, end, posts.Irradiance); });
+    { light.Light(transfer.data(), begin, end, posts.Irradiance); });
   return true;
 }
 

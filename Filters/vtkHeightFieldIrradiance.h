@@ -27,8 +27,9 @@
 class vtkSkylineLight;
 namespace skyline
 {
+class HarmonicLight;
 struct LitPosts;
-}
+} // namespace skyline
 
 class SKYLINEFILTERS_EXPORT vtkHeightFieldIrradiance : public vtkHeightFieldAlgorithm
 {
@@ -126,6 +127,11 @@ protected:
   ~vtkHeightFieldIrradiance() override;
 
   bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+
+  /// Adds what a light in harmonics gives to all posts, from their transfer, which is kept as long as
+  /// `key` is the same. False if stopped.
+  virtual bool LightByHarmonics(skyline::HorizonScene& scene, const skyline::HarmonicLight& light,
+    const std::vector<double>& key, const skyline::LitPosts& posts);
 
   int LightMethod = TABLE;
   int NumberOfAzimuths = 128;

@@ -2,6 +2,7 @@
 #include "TwinFilter.h"
 
 #include "HorizonScene.h"
+#include "SphericalHarmonics.h"
 
 #include "vtkTextureObject.h"
 
@@ -47,9 +48,16 @@ bool TwinFilter::Run(
   {
     this->Harmonics->Times.Wanted = this->Timed;
     this->OneTile = this->Harmonics->FitsOneTile(scene);
+    this->Values.clear();
     if (!readBack && this->OneTile)
     {
       task.Values = nullptr;
+    }
+    else if (!task.Values)
+    {
+      const std::ptrdiff_t posts = scene.Posts().Columns * scene.Posts().Rows;
+      this->Values.resize(static_cast<std::size_t>(posts * HarmonicCount(task.Bands)));
+      task.Values = this->Values.data();
     }
     this->Filled = task.Values != nullptr;
     finished = this->Harmonics->Run(scene, task);

@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace skyline
 {
@@ -20,15 +21,16 @@ class TwinFilter
 public:
   vtkSmartPointer<vtkOpenGLHeightFieldDevice> Device =
     vtkSmartPointer<vtkOpenGLHeightFieldDevice>::New();
-  bool OnDevice = false; ///< the last result
-  bool Filled = false;   ///< and its values were read back
-  bool OneTile = false;  ///< and its images are there
-  bool Timed = false;    ///< measure
+  bool OnDevice = false;     ///< the last result
+  bool Filled = false;       ///< and its values were read back
+  bool OneTile = false;      ///< and its images are there
+  bool Timed = false;        ///< measure
+  std::vector<float> Values; ///< of tiles, where the filter has no place for them
 
   void SetDevice(vtkOpenGLHeightFieldDevice* device);
 
   /// False if the host has to compute: `reason` says why, once; it is empty where that is no error.
-  /// task.Values is filled if readBack, or if one texture does not hold the field.
+  /// task.Values (null: Values) is filled if readBack, or if one texture does not hold the field.
   bool Run(HorizonScene& scene, TwinHarmonics::Task task, bool readBack, bool& finished,
     std::string& reason);
 

@@ -391,6 +391,12 @@ void TwinHarmonics::ReadTile(HorizonScene& scene, const Task& task, const TwinAr
   }
 }
 
+void TwinHarmonics::ReadImage(vtkTextureObject* image, float* texels)
+{
+  const Lap lap(*this, this->Times.Read);
+  this->Device.Read(image, { 0, 0, this->Width, this->Height }, texels);
+}
+
 std::string TwinHarmonics::WedgeText(int bands, bool transfer, int begin, int end)
 {
   std::string sums;

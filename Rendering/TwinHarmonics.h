@@ -54,6 +54,9 @@ public:
   /// light's: bands^2 of red, of green, of blue.
   TwinTexture Light(const std::vector<double>& coefficients);
 
+  /// All texels of such an image, four floats each.
+  void ReadImage(vtkTextureObject* image, float* texels);
+
   TwinTimes Times;
 
 private:

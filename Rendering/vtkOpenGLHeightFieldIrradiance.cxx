@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOpenGLHeightFieldIrradiance.h"
+
+#include "Azimuths.h"
+#include "Constants.h"
+#include "HarmonicLight.h"
+#include "HorizonScene.h"
+#include "TwinFilter.h"
+#include "vtkSkylineLampLight.h"
+
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkOpenGLHeightFieldIrradiance);
+
+struct vtkOpenGLHeightFieldIrradiance::Internals
+{
+  skyline::TwinFilter Twin;
+  std::vector<double> Key; // of the transfer that is there
+  skyline::TwinTexture Lit;
+};
+
+vtkOpenGLHeightFieldIrradiance::vtkOpenGLHeightFieldIrradiance()
+  : Inside(std::make_unique<Internals>())
+{
+  this->LightMethod = HARMONICS;
+}
+
+vtkOpenGLHeightFieldIrradiance::~vtkOpenGLHeightFieldIrradiance() = default;
+
+void vtkOpenGLHeightFieldIrradiance::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ReadBack: " << this->ReadBack << "\n"
+     << indent << "MeasurePasses: " << this->MeasurePasses << "\n"
+     << indent << "OnDevice: " << this->Inside->Twin.OnDevice << "\n";
+}
+
+void vtkOpenGLHeightFieldIrradiance::SetDevice(vtkOpenGLHeightFieldDevice* device)
+{
+  if (device && device != this->Inside->Twin.Device)
+  {
+    this->Inside->Lit = nullptr;
+    this->Inside->Key.clear();
+    this->Inside->Twin.SetDevice(device);
+    this->Modified();
+  }
+}
+
+vtkOpenGLHeightFieldDevice* vtkOpenGLHeightFieldIrradiance::GetDevice()
+{
+  return this->Inside->Twin.Device;
+}
+
+bool vtkOpenGLHeightFieldIrradiance::IsOnDevice()
+{
+  return this->Inside->Twin.OnDevice;
+}
+
+vtkTextureObject* vtkOpenGLHeightFieldIrradiance::GetTexture()
+{
+  const skyline::TwinTexture& lit = this->Inside->Lit;
+  return lit && lit->GetHandle() != 0 ? lit.GetPointer() : nullptr;
+}
+
+void vtkOpenGLHeightFieldIrradiance::GetPassSeconds(double seconds[5])
+{
+  std::fill_n(seconds, 5, 0.0);
+  if (const skyline::TwinHarmonics* passes = this->Inside->Twin.Passes())
+  {
+    const skyline::TwinTimes& times = passes->Times;
+    seconds[0] = times.Load;
+    seconds[1] = times.Horizons;
+    seconds[2] = times.Wedges;
+    seconds[3] = times.Light;
+    seconds[4] = times.Read;
+  }
+}
+
+vtkMTimeType vtkOpenGLHeightFieldIrradiance::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->Inside->Twin.Device->GetMTime());
+}
+
+bool vtkOpenGLHeightFieldIrradiance::HasLamps()
+{
+  for (int i = 0; i < this->GetNumberOfLights(); ++i)
+  {
+    auto* lamp = vtkSkylineLampLight::SafeDownCast(this->GetLight(i));
+    if (lamp && lamp->GetSwitch())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool vtkOpenGLHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+{
+  this->Inside->Twin.OnDevice = false;
+  this->Inside->Lit = nullptr;
+  const bool finished = this->Superclass::Compute(scene, output);
+  if (finished && this->Inside->Lit && !this->ReadBack && !this->HasLamps())
+  {
+    output->GetPointData()->RemoveArray("Irradiance");
+  }
+  return finished;
+}
+
+bool vtkOpenGLHeightFieldIrradiance::LightByHarmonics(skyline::HorizonScene& scene,
+  const skyline::HarmonicLight& light, const std::vector<double>& key,
+  const skyline::LitPosts& posts)
+{
+  using namespace skyline;
+  TwinFilter& twin = this->Inside->Twin;
+  const Grid& grid = scene.Posts();
+  const auto count = static_cast<std::size_t>(grid.Columns * grid.Rows);
+  twin.Timed = this->MeasurePasses;
+  if (TwinHarmonics* passes = twin.Passes())
+  {
+    passes->Times = TwinTimes();
+    passes->Times.Wanted = this->MeasurePasses;
+  }
+  if (!twin.Ready() || key != this->Inside->Key)
+  {
+    this->Inside->Key.clear();
+    const std::vector<float> level(this->Horizontal ? count : 0, 0.0f);
+    const std::vector<double> azimuths = EvenAzimuths(this->NumberOfAzimuths);
+    TwinHarmonics::Task task;
+    task.Bands = this->HarmonicBands;
+    task.Azimuths = &azimuths;
+    task.Width = 2.0 * Pi / this->NumberOfAzimuths;
+    task.East = this->Horizontal ? level.data() : posts.East;
+    task.North = this->Horizontal ? level.data() : posts.North;
+    std::string reason;
+    bool finished = false;
+    if (!twin.Run(scene, task, false, finished, reason))
+    {
+      if (!reason.empty())
+      {
+        vtkErrorMacro("the host computes in place of the graphics processor: " << reason);
+      }
+      return this->Superclass::LightByHarmonics(scene, light, key, posts);
+    }
+    ++this->EnvironmentPasses;
+    if (!finished)
+    {
+      return false;
+    }
+    this->Inside->Key = key;
+  }
+  twin.OnDevice = true;
+  if (!twin.OneTile)
+  {
+    light.Light(twin.Values.data(), 0, static_cast<vtkIdType>(count), posts.Irradiance);
+    return true;
+  }
+  this->Inside->Lit = twin.Passes()->Light(light.GetCoefficients());
+  if (this->ReadBack || this->HasLamps())
+  {
+    std::vector<float> texels(4 * count);
+    twin.Passes()->ReadImage(this->Inside->Lit, texels.data());
+    for (std::size_t post = 0; post < count; ++post)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        posts.Irradiance[3 * post + c] += texels[4 * post + c];
+      }
+    }
+  }
+  return true;
+}
