@@ -2,6 +2,7 @@
 #include "Environment.h"
 
 #include "LightAccumulator.h"
+#include "LightFit.h"
 #include "LightMap.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace
 
 constexpr std::ptrdiff_t Columns = 128, Rows = 64;
 constexpr int DirectAzimuths = 96;
-constexpr int PublishedAzimuths = 32; // THESIS, chapter 6
+constexpr int SeriesAzimuths = 32; // THESIS, chapter 6
 
 } // namespace
 
@@ -51,6 +52,7 @@ std::vector<float> Environment::Direct(const Scene& scene) const
 {
   const LightMap map = ViewTopDown(this->Pixels.data(), Columns, Rows);
   std::vector<double> azimuths;
+  azimuths.reserve(DirectAzimuths);
   for (int k = 0; k < DirectAzimuths; ++k)
   {
     azimuths.push_back(2.0 * Pi * k / DirectAzimuths);
@@ -76,24 +78,42 @@ std::vector<float> Environment::Direct(const Scene& scene) const
   return rgb;
 }
 
-std::vector<float> Environment::Published(const Scene& scene, const HorizonsAt& horizons) const
+std::vector<float> Environment::Series(
+  const Scene& scene, const std::function<std::vector<float>(const Light16&)>& shade) const
 {
   const std::vector<double> light =
     ProjectLightMap(ViewTopDown(this->Pixels.data(), Columns, Rows));
-  const std::vector<float> visibility =
-    PublishedVisibility(scene.East.size(), horizons, Swath(), PublishedAzimuths);
   std::vector<float> rgb(3 * scene.East.size());
   for (std::size_t color = 0; color < 3; ++color)
   {
     Light16 part{};
     std::copy_n(light.begin() + static_cast<std::ptrdiff_t>(16 * color), 16, part.begin());
-    const std::vector<float> shading = PublishedShading(scene, visibility, part);
+    const std::vector<float> shading = shade(part);
     for (std::size_t post = 0; post < shading.size(); ++post)
     {
       rgb[3 * post + color] = shading[post];
     }
   }
   return rgb;
+}
+
+std::vector<float> Environment::Published(const Scene& scene, const HorizonsAt& horizons) const
+{
+  const std::vector<float> visibility =
+    PublishedVisibility(scene.East.size(), horizons, Swath(), SeriesAzimuths);
+  return this->Series(
+    scene, [&](const Light16& light) { return PublishedShading(scene, visibility, light); });
+}
+
+std::vector<float> Environment::Transferred(const Scene& scene) const
+{
+  return this->Series(scene,
+    [&](const Light16& light)
+    {
+      Light16 fitted{}; // the map is black below the horizon: its projection is that of the sky
+      FitLight(Swath(), 4, light.data(), fitted.data());
+      return TransferShading(scene, ExactHorizons(scene), Swath(), SeriesAzimuths, fitted);
+    });
 }
 
 } // namespace gallery

@@ -5,6 +5,7 @@
 
 #include "KeyShading.h"
 
+#include <functional>
 #include <vector>
 
 namespace skyline
@@ -26,7 +27,14 @@ public:
   /// projected light, products of order 4.
   std::vector<float> Published(const Scene& scene, const HorizonsAt& horizons) const;
 
+  /// RGB a post as Skyline has it: 32 exact horizons, TransferSH, light fitted above the horizon.
+  std::vector<float> Transferred(const Scene& scene) const;
+
 private:
+  /// Shades colour by colour, the light projected.
+  std::vector<float> Series(
+    const Scene& scene, const std::function<std::vector<float>(const Light16&)>& shade) const;
+
   std::vector<float> Pixels;
 };
 

@@ -46,7 +46,7 @@ using Region = std::array<double, 4>; // as Look's
 std::string Percent(double value)
 {
   char text[32];
-  std::snprintf(text, sizeof(text), "%.1f %%", 100.0 * value);
+  std::snprintf(text, sizeof(text), "%.2f %%", 100.0 * value);
   return text;
 }
 
@@ -280,6 +280,7 @@ struct LitScene
   Scene Terrain;
   std::vector<ColoredLamp> Lamps;
   std::vector<float> Found, Truth; // RGB: as in the thesis, and by direct integration
+  std::vector<float> Transferred;  // RGB of a sky alone as Skyline has it
   double Level = 1.0;              // a bright post's irradiance
 };
 
@@ -310,6 +311,10 @@ std::unique_ptr<LitScene> Light(const Scale& scale, const Shot& shot)
       lit->Truth[k] += direct[k];
       lit->Found[k] += std::max(0.0f, published[k]);
     }
+    if (lit->Lamps.empty())
+    {
+      lit->Transferred = sky.Transferred(scene);
+    }
   }
   return lit;
 }
@@ -332,6 +337,12 @@ void Take(Studio& studio, const Scale& scale, const Shot& shot, const LitScene& 
   const Comparison found =
     Compare(lit.Terrain, shot.Part, lit.Found, lit.Truth, unit, FullScale, look.Height);
   figure.Table.push_back({ shot.Caption, "direct", found.Error });
+  if (!lit.Transferred.empty())
+  {
+    figure.Table.push_back({ std::string(shot.Caption) + ", Skyline's default", "direct",
+      Compare(lit.Terrain, shot.Part, lit.Transferred, lit.Truth, unit, FullScale, look.Height)
+        .Error });
+  }
   figure.Rows[0].Panels.push_back(
     { shot.Caption, studio.Draw(lit.Terrain.Truth, lit.Found, look) });
   figure.Rows[1].Panels.push_back({ "", studio.Draw(lit.Terrain.Truth, lit.Truth, look) });

@@ -52,6 +52,7 @@ int main(int argc, char** argv)
     makers.push_back(std::move(maker));
   }
   std::vector<std::string> names;
+  names.reserve(makers.size());
   for (const FigureMaker& maker : makers)
   {
     names.push_back(maker.Name);

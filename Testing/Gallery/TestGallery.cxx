@@ -32,16 +32,26 @@ constexpr double LampBound = 25.0;
 class Gallery : public ::testing::Test
 {
 protected:
+  static std::string PathOf(const std::string& figure, const char* ending)
+  {
+    return std::string(SKYLINE_TEST_OUTPUT).append("/").append(figure).append(ending);
+  }
+  static std::string KeyOf(
+    const std::string& figure, const std::string& setting, const std::string& against)
+  {
+    return std::string(figure).append("/").append(setting).append("/").append(against);
+  }
+
   /// False after a failure or a skip.
   bool Run(const std::vector<std::string>& figures)
   {
     const std::string folder = SKYLINE_TEST_OUTPUT;
-    const std::string text = folder + "/" + figures.front() + ".txt";
+    const std::string text = PathOf(figures.front(), ".txt");
     std::string command = std::string("'") + SKYLINE_GALLERY + "' --quick -o '" + folder + "'";
     for (const std::string& figure : figures)
     {
-      std::remove((folder + "/" + figure + ".png").c_str());
-      command += " --figure " + figure;
+      std::remove(PathOf(figure, ".png").c_str());
+      command.append(" --figure ").append(figure);
     }
     const int status = std::system((command + " > '" + text + "'").c_str());
     if (WIFEXITED(status) && WEXITSTATUS(status) == Skipped)
@@ -75,7 +85,7 @@ protected:
         cell(setting);
         cell(against);
         cell(value);
-        this->Values[figure + "/" + setting + "/" + against] = std::atof(value.c_str());
+        this->Values[KeyOf(figure, setting, against)] = std::strtod(value.c_str(), nullptr);
       }
       else if (line.find(": ") != std::string::npos)
       {
@@ -86,7 +96,7 @@ protected:
 
   double Value(const std::string& figure, const std::string& setting, const std::string& against)
   {
-    const auto found = this->Values.find(figure + "/" + setting + "/" + against);
+    const auto found = this->Values.find(KeyOf(figure, setting, against));
     EXPECT_NE(found, this->Values.end()) << figure << " " << setting << " " << against;
     return found == this->Values.end() ? 0.0 : found->second;
   }
@@ -105,7 +115,7 @@ protected:
 
   static void ExpectPicture(const std::string& figure)
   {
-    const std::string path = std::string(SKYLINE_TEST_OUTPUT) + "/" + figure + ".png";
+    const std::string path = PathOf(figure, ".png");
     vtkNew<vtkPNGReader> reader;
     ASSERT_TRUE(reader->CanReadFile(path.c_str())) << path;
     reader->SetFileName(path.c_str());
@@ -192,7 +202,7 @@ TEST_F(Gallery, Lamps)
       EXPECT_GT(value.second, 0.0) << value.first;
     }
   }
-  EXPECT_EQ(scenes, 14);
+  EXPECT_EQ(scenes, 15);
 }
 
 TEST_F(Gallery, UnknownFigureIsRefused)
