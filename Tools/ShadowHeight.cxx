@@ -70,7 +70,8 @@ void AddShadowHeight(CLI::App& program)
     "for a sun under the horizontal plane. With --soft\nalso ShadowHeightUpper and "
     "ShadowHeightLower, for the upper and lower limb of the disc: below the first all\nof "
     "the sun is hidden, above the second none; these may lie under the ground. One sun "
-    "for the whole DEM:\nwith --time, that over its centre.");
+    "for the whole DEM:\nwith --time, that over its centre. Method fast is exact here; sweep is the "
+    "recurrence of Lee & Kim, off by metres.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write", true);
   command->Sun.AddTo(*app);

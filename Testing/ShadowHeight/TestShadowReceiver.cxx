@@ -227,6 +227,28 @@ TEST(ShadowReceiver, AgreesWithSunVisibilityOnTheGround)
   RecordProperty("99 %", std::to_string(percentile));
 }
 
+// Upright edges of houses cut the disc from the side, which chords of one azimuth cannot tell: there a
+// post is lit or not where half of the disc shows.
+constexpr double HousesMeanBound = 0.01;
+
+TEST(ShadowReceiver, AgreesWithSunVisibilityAmongHouses)
+{
+  const auto houses = ImageOf<vtkFloatArray>(shapes::RandomBoxes(200, 180, 0.5, 60, 20, 12.0, 5));
+  double mean = 0.0, percentile = 0.0;
+  for (const double azimuth : { 30.0, 90.0, 225.0, 290.0 })
+  {
+    for (const double elevation : { 13.0, 25.0, 45.0 })
+    {
+      const Difference difference = OnTheGround(houses, azimuth, elevation);
+      EXPECT_LT(difference.Mean, HousesMeanBound) << azimuth << ", " << elevation;
+      mean = std::max(mean, difference.Mean);
+      percentile = std::max(percentile, difference.Percentile99);
+    }
+  }
+  RecordProperty("mean", std::to_string(mean));
+  RecordProperty("99 %", std::to_string(percentile));
+}
+
 TEST(ShadowReceiver, RefusesInOneLine)
 {
   const auto refused = [](vtkImageData* image)
