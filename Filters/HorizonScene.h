@@ -52,6 +52,9 @@ public:
   /// A float array of a value a post and component, row by row; not filled.
   vtkFloatArray* AddArray(vtkImageData* output, const char* name, int components = 1) const;
 
+  /// Prepares PreparedField for frames of columns; Run does it by itself.
+  void Transpose() { this->Field.Transpose(); }
+
   const Grid& Posts() const { return this->Field.Posts(); }
   const Georeference& Place() const { return this->Where; }
   const HeightField& PreparedField() const { return this->Field; } ///< heights above MeanHeight

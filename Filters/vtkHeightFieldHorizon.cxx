@@ -20,12 +20,18 @@ bool vtkHeightFieldHorizon::Compute(skyline::HorizonScene& scene, vtkImageData* 
 {
   const std::vector<double> azimuths = skyline::EvenAzimuths(this->NumberOfAzimuths);
   vtkFloatArray* horizon = scene.AddArray(output, "HorizonElevation", this->NumberOfAzimuths);
-  skyline::StoreAccumulator store(
-    scene.Posts().Columns, scene.Posts().Rows, horizon->GetPointer(0), this->NumberOfAzimuths);
-  if (!scene.Run(azimuths, 0.0, store))
+  if (!this->Store(scene, azimuths, horizon->GetPointer(0)))
   {
     return false;
   }
   scene.BlankMissing(horizon);
   return true;
+}
+
+bool vtkHeightFieldHorizon::Store(
+  skyline::HorizonScene& scene, const std::vector<double>& azimuths, float* values)
+{
+  skyline::StoreAccumulator store(
+    scene.Posts().Columns, scene.Posts().Rows, values, this->NumberOfAzimuths);
+  return scene.Run(azimuths, 0.0, store);
 }

@@ -13,6 +13,8 @@
 
 #include "vtkHeightFieldAlgorithm.h"
 
+#include <vector> // For azimuths
+
 class SKYLINEFILTERS_EXPORT vtkHeightFieldHorizon : public vtkHeightFieldAlgorithm
 {
 public:
@@ -28,6 +30,10 @@ public:
 
 protected:
   bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+
+  /// Fills NumberOfAzimuths values a post, degrees. False if stopped.
+  virtual bool Store(
+    skyline::HorizonScene& scene, const std::vector<double>& azimuths, float* values);
 
   int NumberOfAzimuths = 36;
 };

@@ -16,6 +16,7 @@ extern const char* skyline_ToneMap;
 extern const char* skyline_Transfer;
 extern const char* skyline_TwinAngles;
 extern const char* skyline_TwinDecimate;
+extern const char* skyline_TwinExact;
 extern const char* skyline_TwinLight;
 extern const char* skyline_TwinPyramid;
 extern const char* skyline_TwinSpline;

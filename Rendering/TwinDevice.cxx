@@ -203,6 +203,7 @@ TwinState::TwinState(const TwinDevice& device)
 
 TwinState::~TwinState()
 {
+  this->Before->State->vtkglBlendEquation(GL_FUNC_ADD); // as VTK has it everywhere
   this->Before->State->PopFramebufferBindings();
 }
 
@@ -252,7 +253,8 @@ void TwinPass::Set(const char* name, const std::vector<float>& vectors)
   this->Quad->Program->SetUniform4fv(name, static_cast<int>(vectors.size() / 4), vectors.data());
 }
 
-void TwinPass::Draw(const std::vector<vtkTextureObject*>& targets, const TwinArea& area, bool add)
+void TwinPass::Draw(
+  const std::vector<vtkTextureObject*>& targets, const TwinArea& area, TwinBlend blend)
 {
   this->Device.Frame->Bind();
   unsigned int count = 0;
@@ -260,21 +262,22 @@ void TwinPass::Draw(const std::vector<vtkTextureObject*>& targets, const TwinAre
   {
     this->Device.Frame->AddColorAttachment(count++, target);
   }
-  this->DrawBound(count, area, add);
+  this->DrawBound(count, area, blend);
 }
 
 void TwinPass::DrawLayer(vtkTextureObject* stack, int layer, const TwinArea& area)
 {
   this->Device.Frame->Bind();
   this->Device.Frame->AddColorAttachment(0, stack, static_cast<unsigned int>(layer));
-  this->DrawBound(1, area, false);
+  this->DrawBound(1, area, TwinBlend::Replace);
 }
 
-void TwinPass::DrawBound(unsigned int targets, const TwinArea& area, bool add)
+void TwinPass::DrawBound(unsigned int targets, const TwinArea& area, TwinBlend blend)
 {
   vtkOpenGLState* state = this->Device.Window->GetState();
   this->Device.Frame->ActivateDrawBuffers(targets);
-  state->SetEnumState(GL_BLEND, add);
+  state->SetEnumState(GL_BLEND, blend != TwinBlend::Replace);
+  state->vtkglBlendEquation(blend == TwinBlend::Greatest ? GL_MAX : GL_FUNC_ADD);
   state->vtkglViewport(area.X, area.Y, area.Width, area.Height);
   this->Quad->Render();
   // An attachment that stays would keep its layer when the next one is added.

@@ -31,6 +31,14 @@ struct TwinArea
   int X = 0, Y = 0, Width = 0, Height = 0;
 };
 
+/// What becomes of numbers that are there already.
+enum class TwinBlend
+{
+  Replace,
+  Add,
+  Greatest
+};
+
 /// The context of a render window: a given one, or one without a window system of its own.
 class TwinDevice
 {
@@ -104,12 +112,13 @@ public:
   void Set(const char* name, float value);
   void Set(const char* name, const std::vector<float>& vectors); ///< of four
 
-  /// Fills the area of up to eight images, or of one layer of a stack; add: to what is there.
-  void Draw(const std::vector<vtkTextureObject*>& targets, const TwinArea& area, bool add = false);
+  /// Fills the area of up to eight images, or of one layer of a stack.
+  void Draw(const std::vector<vtkTextureObject*>& targets, const TwinArea& area,
+    TwinBlend blend = TwinBlend::Replace);
   void DrawLayer(vtkTextureObject* stack, int layer, const TwinArea& area);
 
 private:
-  void DrawBound(unsigned int targets, const TwinArea& area, bool add);
+  void DrawBound(unsigned int targets, const TwinArea& area, TwinBlend blend);
 
   TwinDevice& Device;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;

@@ -24,8 +24,8 @@ bool TwinFilter::Ready()
     this->Generation == this->Device->GetGeneration() && this->Time == this->Device->GetMTime();
 }
 
-bool TwinFilter::Run(
-  HorizonScene& scene, TwinHarmonics::Task task, bool readBack, bool& finished, std::string& reason)
+bool TwinFilter::Attempt(
+  HorizonScene& scene, std::string& reason, const std::function<void()>& compute)
 {
   this->OnDevice = this->Filled = this->OneTile = false;
   if (!TwinHarmonics::Unknown(scene.UsedSettings()).empty())
@@ -48,19 +48,7 @@ bool TwinFilter::Run(
   {
     this->Harmonics->Times.Wanted = this->Timed;
     this->OneTile = this->Harmonics->FitsOneTile(scene);
-    this->Values.clear();
-    if (!readBack && this->OneTile)
-    {
-      task.Values = nullptr;
-    }
-    else if (!task.Values)
-    {
-      const std::ptrdiff_t posts = scene.Posts().Columns * scene.Posts().Rows;
-      this->Values.resize(static_cast<std::size_t>(posts * HarmonicCount(task.Bands)));
-      task.Values = this->Values.data();
-    }
-    this->Filled = task.Values != nullptr;
-    finished = this->Harmonics->Run(scene, task);
+    compute();
     this->OnDevice = true;
     this->Told.clear();
     return true;
@@ -72,6 +60,35 @@ bool TwinFilter::Run(
     this->Tell(error.what(), reason);
     return false;
   }
+}
+
+bool TwinFilter::Run(
+  HorizonScene& scene, TwinHarmonics::Task task, bool readBack, bool& finished, std::string& reason)
+{
+  this->Values.clear();
+  return this->Attempt(scene, reason,
+    [&]()
+    {
+      if (!readBack && this->OneTile)
+      {
+        task.Values = nullptr;
+      }
+      else if (!task.Values)
+      {
+        const std::ptrdiff_t posts = scene.Posts().Columns * scene.Posts().Rows;
+        this->Values.resize(static_cast<std::size_t>(posts * HarmonicCount(task.Bands)));
+        task.Values = this->Values.data();
+      }
+      this->Filled = task.Values != nullptr;
+      finished = this->Harmonics->Run(scene, task);
+    });
+}
+
+bool TwinFilter::Store(HorizonScene& scene, const std::vector<double>& azimuths, float* degrees,
+  bool& finished, std::string& reason)
+{
+  return this->Attempt(
+    scene, reason, [&]() { finished = this->Harmonics->Store(scene, azimuths, degrees); });
 }
 
 vtkTextureObject* TwinFilter::Image(int index) const

@@ -9,6 +9,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,6 +35,10 @@ public:
   bool Run(HorizonScene& scene, TwinHarmonics::Task task, bool readBack, bool& finished,
     std::string& reason);
 
+  /// Likewise: horizons in degrees.
+  bool Store(HorizonScene& scene, const std::vector<double>& azimuths, float* degrees,
+    bool& finished, std::string& reason);
+
   vtkTextureObject* Image(int index) const;
   TwinHarmonics* Passes() const { return this->Harmonics.get(); }
 
@@ -41,6 +46,7 @@ public:
   bool Ready();
 
 private:
+  bool Attempt(HorizonScene& scene, std::string& reason, const std::function<void()>& compute);
   void Tell(const std::string& why, std::string& reason);
 
   std::unique_ptr<TwinHarmonics> Harmonics;

@@ -212,6 +212,10 @@ bool TwinHarmonics::FitsOneTile(HorizonScene& scene)
   }
   {
     const Lap lap(*this, this->Times.Load);
+    if (settings.Method != HorizonMethodKind::Pyramid)
+    {
+      scene.Transpose();
+    }
     this->Horizons->Load(scene.PreparedField(), settings);
   }
   this->Side = std::min(this->Horizons->TileSide(), this->Device.ImageLimit());
@@ -219,21 +223,32 @@ bool TwinHarmonics::FitsOneTile(HorizonScene& scene)
   return std::max(grid.Columns, grid.Rows) <= this->Side;
 }
 
+std::vector<TwinArea> TwinHarmonics::Tiles(const Grid& grid) const
+{
+  const int columns = static_cast<int>(grid.Columns);
+  const int rows = static_cast<int>(grid.Rows);
+  std::vector<TwinArea> tiles;
+  for (int row = 0; row < rows; row += this->Side)
+  {
+    for (int column = 0; column < columns; column += this->Side)
+    {
+      tiles.push_back(
+        { column, row, std::min(this->Side, columns - column), std::min(this->Side, rows - row) });
+    }
+  }
+  return tiles;
+}
+
 bool TwinHarmonics::Run(HorizonScene& scene, const Task& task)
 {
   const TwinState state(this->Device);
-  const int side = this->Side;
-  const Grid& grid = scene.Posts();
-  const int columns = static_cast<int>(grid.Columns);
-  const int rows = static_cast<int>(grid.Rows);
-  const int across = (columns + side - 1) / side;
-  const int tiles = across * ((rows + side - 1) / side);
-  for (int i = 0; i < tiles; ++i)
+  double done = 0.0;
+  const std::vector<TwinArea> tiles = this->Tiles(scene.Posts());
+  for (const TwinArea& tile : tiles)
   {
-    TwinArea tile{ i % across * side, i / across * side, side, side };
-    tile.Width = std::min(side, columns - tile.X);
-    tile.Height = std::min(side, rows - tile.Y);
-    if (!this->SumTile(scene, task, tile, 1.0 * i / tiles, (i + 1.0) / tiles))
+    const double before = done;
+    done += 1.0 / static_cast<double>(tiles.size());
+    if (!this->SumTile(scene, task, tile, before, done))
     {
       return false;
     }
@@ -244,6 +259,70 @@ bool TwinHarmonics::Run(HorizonScene& scene, const Task& task)
     }
   }
   return true;
+}
+
+bool TwinHarmonics::Store(HorizonScene& scene, const std::vector<double>& azimuths, float* degrees)
+{
+  const TwinState state(this->Device);
+  const std::vector<TwinArea> tiles = this->Tiles(scene.Posts());
+  const std::ptrdiff_t columns = scene.Posts().Columns;
+  const std::size_t count = azimuths.size();
+  double done = 0.0;
+  std::vector<float> texels;
+  for (const TwinArea& tile : tiles)
+  {
+    const TwinTexture angles = Checked(this->Device.Image(tile.Width, tile.Height, 4));
+    texels.resize(static_cast<std::size_t>(4 * tile.Width) * static_cast<std::size_t>(tile.Height));
+    for (std::size_t first = 0; first < count; first += TwinHorizons::Group)
+    {
+      const std::size_t here = std::min<std::size_t>(TwinHorizons::Group, count - first);
+      if (scene.Progress && !scene.Progress(done / static_cast<double>(tiles.size() * count)))
+      {
+        return false;
+      }
+      done += static_cast<double>(here);
+      const auto begin = azimuths.begin() + static_cast<std::ptrdiff_t>(first);
+      this->FindRows(scene, tile, { begin, begin + static_cast<std::ptrdiff_t>(here) }, angles);
+      const Lap lap(*this, this->Times.Read);
+      this->Device.Read(angles, { 0, 0, tile.Width, tile.Height }, texels.data());
+      const float* texel = texels.data();
+      for (std::ptrdiff_t row = tile.Y; row < tile.Y + tile.Height; ++row)
+      {
+        for (std::ptrdiff_t column = tile.X; column < tile.X + tile.Width; ++column, texel += 4)
+        {
+          float* to = degrees + static_cast<std::size_t>(row * columns + column) * count + first;
+          std::transform(texel, texel + here, to,
+            [](float angle)
+            {
+              // No terrain is 90 degrees down to the last bit.
+              return angle <= static_cast<float>(-0.5 * Pi)
+                ? -90.0f
+                : angle * static_cast<float>(DegreesPerRadian);
+            });
+        }
+      }
+    }
+  }
+  return true;
+}
+
+void TwinHarmonics::FindRows(HorizonScene& scene, const TwinArea& tile,
+  const std::vector<double>& azimuths, vtkTextureObject* angles)
+{
+  const Lap lap(*this, this->Times.Horizons);
+  for (const RowBand& band : scene.BandsOfRows())
+  {
+    const int from = std::max(static_cast<int>(band.RowBegin), tile.Y);
+    const int to = std::min(static_cast<int>(band.RowEnd), tile.Y + tile.Height);
+    if (from < to)
+    {
+      Grid grid = scene.Posts();
+      grid.SpacingX = band.SpacingX;
+      grid.SpacingY = band.SpacingY;
+      this->Horizons->Find(
+        tile, { 0, from - tile.Y, tile.Width, to - from }, grid, azimuths, angles);
+    }
+  }
 }
 
 void TwinHarmonics::Prepare(const Task& task, const TwinArea& tile)
@@ -316,22 +395,7 @@ bool TwinHarmonics::SumTile(
     }
     const std::vector<double> group(azimuths.begin() + static_cast<std::ptrdiff_t>(first),
       azimuths.begin() + static_cast<std::ptrdiff_t>(last));
-    {
-      const Lap lap(*this, this->Times.Horizons);
-      for (const RowBand& band : scene.BandsOfRows())
-      {
-        const int from = std::max(static_cast<int>(band.RowBegin), tile.Y);
-        const int to = std::min(static_cast<int>(band.RowEnd), tile.Y + tile.Height);
-        if (from < to)
-        {
-          Grid grid = scene.Posts();
-          grid.SpacingX = band.SpacingX;
-          grid.SpacingY = band.SpacingY;
-          this->Horizons->Find(
-            tile, { 0, from - tile.Y, tile.Width, to - from }, grid, group, this->Angles);
-        }
-      }
-    }
+    this->FindRows(scene, tile, group, this->Angles);
     const Lap lap(*this, this->Times.Wedges);
     const std::vector<float> texels = WeightTexels(task.Bands, group, task.Width);
     const TwinTexture weights =
@@ -362,7 +426,8 @@ bool TwinHarmonics::SumTile(
       {
         targets.push_back(this->Sums[i]);
       }
-      wedge.Draw(targets, { 0, 0, tile.Width, tile.Height }, first != 0);
+      wedge.Draw(targets, { 0, 0, tile.Width, tile.Height },
+        first != 0 ? TwinBlend::Add : TwinBlend::Replace);
     }
   }
   return true;

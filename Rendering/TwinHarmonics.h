@@ -47,6 +47,9 @@ public:
   /// False if stopped. Fails with std::runtime_error in one line.
   bool Run(HorizonScene& scene, const Task& task);
 
+  /// Horizons in degrees of all posts, a component an azimuth (degrees): twin of StoreAccumulator.
+  bool Store(HorizonScene& scene, const std::vector<double>& azimuths, float* degrees);
+
   /// After a run of one tile: coefficients 4 i .. 4 i + 3 of every post.
   const std::vector<TwinTexture>& Images() const { return this->Sums; }
 
@@ -63,6 +66,9 @@ private:
   class Lap;
   bool SumTile(
     HorizonScene& scene, const Task& task, const TwinArea& tile, double begin, double end);
+  std::vector<TwinArea> Tiles(const Grid& grid) const;
+  void FindRows(HorizonScene& scene, const TwinArea& tile, const std::vector<double>& azimuths,
+    vtkTextureObject* angles);
   void Prepare(const Task& task, const TwinArea& tile);
   void ReadTile(HorizonScene& scene, const Task& task, const TwinArea& tile);
   static std::string WedgeText(int bands, bool transfer, int begin, int end);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TwinHorizons.h"
 
+#include "TwinExact.h"
 #include "TwinPyramid.h"
-
-#include <stdexcept>
 
 namespace skyline
 {
@@ -15,7 +14,7 @@ std::unique_ptr<TwinHorizons> MakeTwinHorizons(
   {
     return std::make_unique<TwinPyramid>(device, limits);
   }
-  throw std::runtime_error("this method has no twin");
+  return std::make_unique<TwinExact>(device, limits);
 }
 
 std::string TwinText(const std::vector<std::string>& parts)

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkOpenGLHeightFieldHorizon
+ * @brief   the horizon all around every post, computed by a graphics processor
+ *
+ * Twin of vtkHeightFieldHorizon: the same array `HorizonElevation`, which differs by the rounding of
+ * floats (Documentation/gpu.md has the bounds). EXACT walks every ray to the edge of the data, without
+ * the host's bounds; FAST takes the exact horizons, PYRAMID its own. Height fields above OpenGL's
+ * texture limit go tile by tile.
+ *
+ * Where there is no OpenGL context, or it is lost, one error says so in one line and the host computes
+ * the array. SWEEP and bilinear surfaces the host computes anyway. IsOnDevice tells who did.
+ */
+#ifndef vtkOpenGLHeightFieldHorizon_h
+#define vtkOpenGLHeightFieldHorizon_h
+
+#include "SkylineRenderingModule.h" // For export macro
+#include "vtkHeightFieldHorizon.h"
+
+#include <memory> // For Twin
+
+namespace skyline
+{
+class TwinFilter;
+}
+class vtkOpenGLHeightFieldDevice;
+
+class SKYLINERENDERING_EXPORT vtkOpenGLHeightFieldHorizon : public vtkHeightFieldHorizon
+{
+public:
+  static vtkOpenGLHeightFieldHorizon* New();
+  vtkTypeMacro(vtkOpenGLHeightFieldHorizon, vtkHeightFieldHorizon);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Where to compute; default: a device of its own. Several filters may share one.
+  void SetDevice(vtkOpenGLHeightFieldDevice* device);
+  vtkOpenGLHeightFieldDevice* GetDevice();
+  ///@}
+
+  /// Whether the graphics processor made the last result.
+  bool IsOnDevice();
+
+  /// The device too.
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkOpenGLHeightFieldHorizon();
+  ~vtkOpenGLHeightFieldHorizon() override;
+
+  bool Store(
+    skyline::HorizonScene& scene, const std::vector<double>& azimuths, float* values) override;
+
+private:
+  vtkOpenGLHeightFieldHorizon(const vtkOpenGLHeightFieldHorizon&) = delete;
+  void operator=(const vtkOpenGLHeightFieldHorizon&) = delete;
+
+  std::unique_ptr<skyline::TwinFilter> Twin;
+};
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TwinTesting.h"
+
+#include "vtkOpenGLHeightFieldHorizon.h"
+#include "vtkOpenGLHeightFieldTransfer.h"
+
+namespace skyline
+{
+namespace testing
+{
+namespace
+{
+
+// Degrees. Both take the same differences of floats; the host's and the shader's polynomials round apart,
+// 1.4e-7 rad each, and so does the sum of two products where one fuses it.
+constexpr double RoundingTolerance = 6.0e-5;
+
+// Degrees: heights of 1500 m are summed in another order, 30 m away.
+constexpr double PyramidTolerance = 1.0e-3;
+
+class Horizons : public Twins
+{
+protected:
+  double Parity(const oracle::OracleField& field, int method, int azimuths = 24)
+  {
+    const auto image = ImageOf<vtkDoubleArray>(field);
+    vtkNew<vtkOpenGLHeightFieldHorizon> twin;
+    twin->SetDevice(this->Device);
+    vtkNew<vtkHeightFieldHorizon> host;
+    for (vtkHeightFieldHorizon* filter :
+      { static_cast<vtkHeightFieldHorizon*>(twin), host.GetPointer() })
+    {
+      filter->SetInputData(image);
+      filter->SetMethod(method);
+      filter->SetNumberOfAzimuths(azimuths);
+      filter->Update();
+    }
+    EXPECT_TRUE(twin->IsOnDevice());
+    return Difference(ArrayOf(twin, "HorizonElevation"), ArrayOf(host, "HorizonElevation"));
+  }
+};
+
+TEST_F(Horizons, AreExact)
+{
+  EXPECT_LT(this->Parity(Hills(131, 97), vtkHeightFieldHorizon::EXACT), RoundingTolerance);
+  EXPECT_LT(this->Parity(Hills(50, 140), vtkHeightFieldHorizon::EXACT, 7), RoundingTolerance);
+}
+
+TEST_F(Horizons, BesideMissingPosts)
+{
+  EXPECT_LT(this->Parity(HolyHills(131, 97), vtkHeightFieldHorizon::EXACT), RoundingTolerance);
+}
+
+TEST_F(Horizons, OfTheSmallestFields)
+{
+  EXPECT_LT(this->Parity(Hills(2, 2), vtkHeightFieldHorizon::EXACT, 16), RoundingTolerance);
+  EXPECT_LT(this->Parity(Hills(2, 9), vtkHeightFieldHorizon::EXACT, 16), RoundingTolerance);
+}
+
+TEST_F(Horizons, OfThePyramid)
+{
+  EXPECT_LT(this->Parity(Hills(131, 97), vtkHeightFieldHorizon::PYRAMID), PyramidTolerance);
+}
+
+TEST_F(Horizons, TileByTile)
+{
+  this->Device->SetTextureLimit(40);
+  EXPECT_LT(this->Parity(Hills(131, 97), vtkHeightFieldHorizon::EXACT), RoundingTolerance);
+  EXPECT_LT(this->Parity(HolyHills(101, 64), vtkHeightFieldHorizon::EXACT, 10), RoundingTolerance);
+}
+
+TEST_F(Horizons, GoIntoHarmonicsToo)
+{
+  const auto image = ImageOf<vtkDoubleArray>(HolyHills(70, 90));
+  vtkNew<vtkOpenGLHeightFieldTransfer> twin;
+  twin->SetDevice(this->Device);
+  vtkNew<vtkHeightFieldTransfer> host;
+  for (vtkHeightFieldTransfer* filter :
+    { static_cast<vtkHeightFieldTransfer*>(twin), host.GetPointer() })
+  {
+    filter->SetInputData(image);
+    filter->SetNumberOfAzimuths(10);
+    filter->Update();
+  }
+  EXPECT_TRUE(twin->IsOnDevice());
+  constexpr double coefficients = 1.0e-5; // as in TestTwinHarmonics
+  EXPECT_LT(Difference(ArrayOf(twin, "TransferSH"), ArrayOf(host, "TransferSH")), coefficients);
+}
+
+} // namespace
+} // namespace testing
+} // namespace skyline
