@@ -10,6 +10,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
@@ -205,11 +206,26 @@ TEST_F(Gallery, Lamps)
   EXPECT_EQ(scenes, 15);
 }
 
-TEST_F(Gallery, UnknownFigureIsRefused)
+/// The program's exit code after "<arguments>", without its output.
+int ExitOf(const std::string& arguments)
 {
-  const std::string command =
-    std::string("'") + SKYLINE_GALLERY + "' -o . --figure none > /dev/null 2>&1";
-  EXPECT_NE(std::system(command.c_str()), 0);
+  std::string command = std::string("'").append(SKYLINE_GALLERY).append("' --quick ");
+  const int status = std::system(command.append(arguments).append(" > /dev/null 2>&1").c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST_F(Gallery, TellsWhatIsWrong)
+{
+  EXPECT_NE(ExitOf("-o . --figure none"), 0);
+  EXPECT_NE(ExitOf("--figure sn08-6"), 0) << "no folder";
+  const int below = ExitOf("-o /dev/null/below --figure sn08-6");
+  if (below == Skipped)
+  {
+    GTEST_SKIP() << "no OpenGL context";
+  }
+  EXPECT_EQ(below, 1);
+  std::filesystem::create_directories("taken/sn08-6.png/x");
+  EXPECT_EQ(ExitOf("-o taken --figure sn08-6"), 1) << "a folder in the picture's place";
 }
 
 } // namespace
