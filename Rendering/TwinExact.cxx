@@ -78,6 +78,10 @@ void TwinExact::Load(const HeightField& field, const HorizonSettings& settings)
   this->Sheets.clear();
   const int limit = this->Device.ImageLimit();
   this->Side = this->Limits.Side > 0 ? std::min(this->Limits.Side, limit) : limit;
+  if (this->Side < 2)
+  {
+    throw std::runtime_error("a texture takes less than two posts: raise the texture limit");
+  }
   const int columns = static_cast<int>(field.Posts().Columns);
   const int rows = static_cast<int>(field.Posts().Rows);
   std::vector<float> values;

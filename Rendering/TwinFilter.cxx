@@ -35,7 +35,8 @@ bool TwinFilter::Attempt(
   if (!this->Ready())
   {
     this->Harmonics.reset();
-    if (!this->Device->GetReason().empty())
+    // What goes with them may have made another context current.
+    if (!this->Device->IsAvailable())
     {
       this->Tell(this->Device->GetReason(), reason);
       return false;

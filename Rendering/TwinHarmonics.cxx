@@ -220,6 +220,10 @@ bool TwinHarmonics::FitsOneTile(HorizonScene& scene)
   }
   this->Side = std::min(this->Horizons->TileSide(), this->Device.ImageLimit());
   this->Side = this->Limits.Side > 0 ? std::min(this->Side, this->Limits.Side) : this->Side;
+  if (this->Side < 1)
+  {
+    throw std::runtime_error("OpenGL takes no textures");
+  }
   return std::max(grid.Columns, grid.Rows) <= this->Side;
 }
 

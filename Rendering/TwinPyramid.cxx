@@ -128,6 +128,10 @@ void TwinPyramid::Resize(const HeightField& field, const HorizonSettings& settin
   if (!this->Whole)
   {
     this->Side = std::min(side - 1, TileWithCasters);
+    if (this->Side < 1)
+    {
+      throw std::runtime_error("a texture takes less than two posts: raise the texture limit");
+    }
     const int reach = this->Side + 1;
     this->Receivers = Checked(this->Device.Stack(reach, reach, layers, this->Components));
     this->Casters = Checked(this->Device.Stack(reach, reach, Group * levels, this->Components));
