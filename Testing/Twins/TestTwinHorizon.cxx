@@ -4,6 +4,8 @@
 #include "vtkOpenGLHeightFieldHorizon.h"
 #include "vtkOpenGLHeightFieldTransfer.h"
 
+#include "vtkSkylineGeoreference.h"
+
 namespace skyline
 {
 namespace testing
@@ -23,7 +25,11 @@ class Horizons : public Twins
 protected:
   double Parity(const oracle::OracleField& field, int method, int azimuths = 24)
   {
-    const auto image = ImageOf<vtkDoubleArray>(field);
+    return this->Parity(ImageOf<vtkDoubleArray>(field), method, azimuths);
+  }
+
+  double Parity(const vtkSmartPointer<vtkImageData>& image, int method, int azimuths)
+  {
     vtkNew<vtkOpenGLHeightFieldHorizon> twin;
     twin->SetDevice(this->Device);
     vtkNew<vtkHeightFieldHorizon> host;
@@ -60,6 +66,32 @@ TEST_F(Horizons, OfTheSmallestFields)
 TEST_F(Horizons, OfThePyramid)
 {
   EXPECT_LT(this->Parity(Hills(131, 97), vtkHeightFieldHorizon::PYRAMID), PyramidTolerance);
+}
+
+// Degrees of longitude on the Earth: rows have spacings of their own, far posts sink.
+TEST_F(Horizons, OnABody)
+{
+  const auto image = ImageOf<vtkDoubleArray>(shapes::Fractal(60, 80, 2000.0, 3000.0, 6));
+  Georeference place;
+  place.EquatorialRadius = 6371000.0;
+  place.Earth = true;
+  place.Columns = 60;
+  place.Rows = 80;
+  place.LatticeColumns = place.LatticeRows = 2;
+  place.Longitude = { 0.0, 1.0, 0.0, 1.0 };
+  place.Latitude = { 0.0, 0.0, 1.0, 1.0 };
+  for (int row = 0; row < 80; ++row)
+  {
+    place.RowSpacingX.push_back(2000.0 * std::cos(row * 0.015));
+    place.RowSpacingY.push_back(2000.0);
+  }
+  StoreGeoreference(place, image);
+  for (const int limit : { 0, 33 })
+  {
+    this->Device->SetTextureLimit(limit);
+    EXPECT_LT(this->Parity(image, vtkHeightFieldHorizon::EXACT, 7), RoundingTolerance);
+    EXPECT_LT(this->Parity(image, vtkHeightFieldHorizon::PYRAMID, 7), PyramidTolerance);
+  }
 }
 
 TEST_F(Horizons, TileByTile)
