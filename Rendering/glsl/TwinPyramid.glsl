@@ -37,7 +37,7 @@ bool Counts(vec2 here, vec2 there)
 
 //Skyline::Slopes
 // The derivative of a level (equation 2), 0 where it is below or reads no terrain.
-float Slope(int level, int azimuth, ivec2 at)
+float Slope(int level, int azimuth, ivec2 at, vec2 here)
 {
   vec4 inside = texelFetch(reaches, ivec2(3 * level + 2, azimuth), 0);
   vec2 post = vec2(at + tile);
@@ -55,14 +55,16 @@ float Slope(int level, int azimuth, ivec2 at)
   vec2 next = (1.0 - reach.w) * texelFetch(casters, low + east, 0).xy +
     reach.w * texelFetch(casters, low + east + north, 0).xy;
   vec2 there = (1.0 - reach.z) * west + reach.z * next;
-  vec2 here = texelFetch(receivers, ivec3(at, int(how.y)), 0).xy;
   float slope = (Height(there) - Height(here)) * how.z - how.w;
   return Counts(here, there) ? max(slope, 0.0) : 0.0;
 }
 
 vec4 Slopes(int level, ivec2 at)
 {
-  return vec4(Slope(level, 0, at), Slope(level, 1, at), Slope(level, 2, at), Slope(level, 3, at));
+  float layer = texelFetch(reaches, ivec2(3 * level + 1, 0), 0).y; // the same in all azimuths
+  vec2 here = texelFetch(receivers, ivec3(at, int(layer)), 0).xy;
+  return vec4(Slope(level, 0, at, here), Slope(level, 1, at, here), Slope(level, 2, at, here),
+    Slope(level, 3, at, here));
 }
 
 //Skyline::Greatest

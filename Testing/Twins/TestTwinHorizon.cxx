@@ -71,16 +71,16 @@ TEST_F(Horizons, OfThePyramid)
 // Degrees of longitude on the Earth: rows have spacings of their own, far posts sink.
 TEST_F(Horizons, OnABody)
 {
-  const auto image = ImageOf<vtkDoubleArray>(shapes::Fractal(60, 80, 2000.0, 3000.0, 6));
+  const auto image = ImageOf<vtkDoubleArray>(shapes::Fractal(40, 50, 2000.0, 3000.0, 6));
   Georeference place;
   place.EquatorialRadius = 6371000.0;
   place.Earth = true;
-  place.Columns = 60;
-  place.Rows = 80;
+  place.Columns = 40;
+  place.Rows = 50;
   place.LatticeColumns = place.LatticeRows = 2;
   place.Longitude = { 0.0, 1.0, 0.0, 1.0 };
   place.Latitude = { 0.0, 0.0, 1.0, 1.0 };
-  for (int row = 0; row < 80; ++row)
+  for (int row = 0; row < 50; ++row)
   {
     place.RowSpacingX.push_back(2000.0 * std::cos(row * 0.015));
     place.RowSpacingY.push_back(2000.0);
@@ -97,8 +97,8 @@ TEST_F(Horizons, OnABody)
 TEST_F(Horizons, TileByTile)
 {
   this->Device->SetTextureLimit(40);
-  EXPECT_LT(this->Parity(Hills(131, 97), vtkHeightFieldHorizon::EXACT), RoundingTolerance);
-  EXPECT_LT(this->Parity(HolyHills(101, 64), vtkHeightFieldHorizon::EXACT, 10), RoundingTolerance);
+  EXPECT_LT(this->Parity(Hills(91, 67), vtkHeightFieldHorizon::EXACT, 10), RoundingTolerance);
+  EXPECT_LT(this->Parity(HolyHills(61, 44), vtkHeightFieldHorizon::EXACT, 10), RoundingTolerance);
 }
 
 TEST_F(Horizons, GoIntoHarmonicsToo)
