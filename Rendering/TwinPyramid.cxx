@@ -391,6 +391,7 @@ void TwinPyramid::Find(const TwinArea& tile, const TwinArea& area, const Grid& g
   const std::vector<double>& azimuths, vtkTextureObject* horizons)
 {
   std::vector<std::vector<PyramidReach>> reaches;
+  reaches.reserve(azimuths.size());
   for (const double azimuth : azimuths)
   {
     reaches.push_back(PyramidReaches(this->Sizes, this->Settings.Pyramid, grid, azimuth));

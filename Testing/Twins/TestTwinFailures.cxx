@@ -3,7 +3,10 @@
 
 #include "vtkOpenGLHeightFieldVisibility.h"
 
+#include "vtkRenderWindow.h"
 #include "vtkSkylineEGLWindow.h"
+
+#include <cstdlib>
 
 namespace skyline
 {
@@ -120,6 +123,27 @@ TEST_F(TwinContexts, AWindowMayComeLater)
   twin->GetDevice()->SetRenderWindow(nullptr);
   twin->Update();
   EXPECT_TRUE(twin->IsOnDevice());
+}
+
+TEST_F(TwinContexts, AnXServerDoesToo)
+{
+  const auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  const char* display = std::getenv("DISPLAY");
+  if (!display || !*display || !window->IsA("vtkXOpenGLRenderWindow"))
+  {
+    GTEST_SKIP() << "no X server";
+  }
+  window->SetOffScreenRendering(1);
+  const auto image = ImageOf<vtkDoubleArray>(Hills(30, 20));
+  vtkNew<vtkOpenGLHeightFieldVisibility> twin;
+  Configure(twin, image);
+  twin->Update();
+  const auto before = vtkSmartPointer<vtkFloatArray>(ArrayOf(twin, "VisibilitySH"));
+  twin->GetDevice()->SetRenderWindow(window);
+  twin->Update();
+  EXPECT_TRUE(twin->IsOnDevice());
+  constexpr double rounding = 1.0e-5; // another driver perhaps
+  EXPECT_LT(Difference(ArrayOf(twin, "VisibilitySH"), before), rounding);
 }
 
 TEST_F(TwinContexts, BadSettingsAreErrorsAsOnTheHost)
