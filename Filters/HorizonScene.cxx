@@ -122,8 +122,8 @@ bool HorizonScene::Run(const std::vector<double>& azimuths, double width, Accumu
   return this->Run(*MakeHorizonMethod(this->Field, this->Settings), azimuths, width, consumer);
 }
 
-bool HorizonScene::Run(HorizonMethod& method, const std::vector<double>& azimuths, double width,
-  Accumulator& consumer)
+bool HorizonScene::Run(
+  HorizonMethod& method, const std::vector<double>& azimuths, double width, Accumulator& consumer)
 {
   Grid grid = this->Field.Posts();
   const double total = static_cast<double>(azimuths.size() * this->Bands.size());

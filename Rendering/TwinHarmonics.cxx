@@ -45,7 +45,10 @@ std::string IntegralText(const ElevationIntegral& integral)
   std::string p = Number(integral.Polynomial[static_cast<std::size_t>(integral.Terms - 1)]);
   for (int k = integral.Terms - 2; k >= 0; --k)
   {
-    p = "(" + p + " * q + " + Number(integral.Polynomial[static_cast<std::size_t>(k)]) + ")";
+    p.insert(0, "(");
+    p.append(" * q + ")
+      .append(Number(integral.Polynomial[static_cast<std::size_t>(k)]))
+      .append(")");
   }
   switch (integral.Kind)
   {
