@@ -125,7 +125,7 @@ Scene MakeScene(const std::string& nameOrFile, std::ptrdiff_t size)
   }
   if (nameOrFile == "helens")
   {
-    return FromRaster(nameOrFile, SKYLINE_TEST_DATA "/dem/SainteHelens.tif");
+    return FromRaster(nameOrFile, SKYLINE_BUNDLED_DEM "/SainteHelens.tif");
   }
   return FromRaster(std::filesystem::path(nameOrFile).stem().string(), nameOrFile);
 }
