@@ -8,6 +8,9 @@
 // The files, put into the library by vtk_encode_string under these names.
 extern const char* skyline_Irradiance;
 extern const char* skyline_Lamps;
+extern const char* skyline_Receiver;
+extern const char* skyline_ReceiverGS;
+extern const char* skyline_ReceiverVS;
 extern const char* skyline_SoftShadowFS;
 extern const char* skyline_SoftShadowGS;
 extern const char* skyline_SoftShadowVS;

@@ -8,6 +8,8 @@
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTexture.h"
@@ -100,10 +102,20 @@ void vtkSoftShadowPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
+// Of the primitives whose shader is being built.
+int vtkSoftShadowPolyDataMapper::NormalsOf(vtkActor* actor)
+{
+  const bool faces = actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
+    this->LastBoundBO->PrimitiveType >= PrimitiveTris;
+  return this->VBOs->GetNumberOfComponents("normalMC") == 3 ? vtkSoftShadowShader::POINTS
+    : faces                                                 ? vtkSoftShadowShader::FACES
+                                                            : vtkSoftShadowShader::NONE;
+}
+
 void vtkSoftShadowPolyDataMapper::ReplaceShaderValues(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
 {
-  this->Shader->ReplaceShaderValues(shaders);
+  this->Shader->ReplaceShaderValues(shaders, this->NormalsOf(actor));
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
   this->FragmentShaderText = shaders[vtkShader::Fragment]->GetSource();
 }
@@ -114,10 +126,21 @@ void vtkSoftShadowPolyDataMapper::ReplaceShaderLight(
 {
 }
 
+// In RECEIVER the shader takes the normals itself.
+void vtkSoftShadowPolyDataMapper::ReplaceShaderNormal(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  if (this->Shader->GetMode() != vtkSoftShadowShader::RECEIVER)
+  {
+    this->Superclass::ReplaceShaderNormal(shaders, renderer, actor);
+  }
+}
+
 void vtkSoftShadowPolyDataMapper::SetMapperShaderParameters(
   vtkOpenGLHelper& cells, vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::SetMapperShaderParameters(cells, renderer, actor);
+  this->Shader->SetPlacement(actor->GetIsIdentity() ? nullptr : actor->GetMatrix());
   this->Shader->SetUniforms(cells.Program, this->VBOs);
 }
 

@@ -3,7 +3,8 @@
  * @class vtkSoftShadowPolyDataMapper
  * @brief draws a terrain mesh in the light of its height field
  *
- * The mesh is any poly data over the height field, in the same coordinates; it may be decimated.
+ * The mesh is any poly data over the height field, in the same coordinates; it may be decimated. In the
+ * mode RECEIVER of its shader it may stand or fly above the ground, and is lit at its own height.
  * Light comes from a vtkSoftShadowShader, at every fragment, at the resolution of the height field;
  * VTK's own lights and the specular part of the property count for nothing. Colours, colours of
  * scalars, draped textures, opacity, clipping planes, edges, depth peeling and picking work as with
@@ -64,11 +65,14 @@ protected:
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
   void ReplaceShaderLight(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderNormal(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
   void SetMapperShaderParameters(
     vtkOpenGLHelper& cells, vtkRenderer* renderer, vtkActor* actor) override;
 
 private:
   void Report(const std::string& reason);
+  int NormalsOf(vtkActor* actor);
 
   vtkSmartPointer<vtkSoftShadowShader> Shader;
   std::string FragmentShaderText;

@@ -5,9 +5,11 @@
 #include "HarmonicProduct.h"
 #include "Normals.h"
 #include "PostTexture.h"
+#include "ReceiverLight.h"
 #include "ShaderText.h"
 #include "SphericalHarmonics.h"
 #include "ToneMap.h"
+#include "VertexRow.h"
 #include "vtkSkylineGeoreference.h"
 
 #include "vtkAlgorithm.h"
@@ -17,7 +19,6 @@
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPointData.h"
 #include "vtkShaderProgram.h"
@@ -142,6 +143,19 @@ std::vector<float> GatherGradients(vtkImageData* image, vtkDataArray* heights)
   return both;
 }
 
+// For Receiver.glsl: what the whole sky gives, for each function of the normal.
+std::array<Color, Cosines> OpenSky(const Coefficients& light)
+{
+  const std::array<double, Cosines> factors = CosineFactors();
+  std::array<Color, Cosines> sky{};
+  for (std::size_t j = 0; j < Cosines; ++j)
+  {
+    std::transform(light[j].begin(), light[j].end(), sky[j].begin(),
+      [&](double coefficient) { return factors[j] * coefficient; });
+  }
+  return sky;
+}
+
 std::string Define(const char* name, const std::string& value)
 {
   return std::string("#define ") + name + " " + value + "\n";
@@ -188,12 +202,14 @@ struct vtkSoftShadowShader::Internals
     skyline::PostTexture("skylineHarmonics3") } };
   skyline::PostTexture Gradient{ "skylineGradient" };
   skyline::PostTexture LampLight{ "skylineLampTexture" };
+  skyline::ReceiverLight Receiver;
+  vtkNew<vtkMatrix4x4> Placement;
   std::vector<skyline::PostTexture*> InUse; // of the last Prepare
   int Uploads = 0;
 
   // Of the image that the textures show.
-  std::array<double, 4> Across{};
-  std::array<double, 4> Up{};
+  skyline::VertexRow Across{};
+  skyline::VertexRow Up{};
 
   // Rows of the matrix from positions to texture coordinates: post i has its texel's centre.
   void Place()
@@ -208,6 +224,21 @@ struct vtkSoftShadowShader::Internals
       this->Across[k] = (index[0][k] - first * extent[0] + shift) / size[0];
       this->Up[k] = (index[1][k] - first * extent[2] + shift) / size[1];
     }
+  }
+
+  // A row for the mesh of an actor with a matrix of its own.
+  skyline::VertexRow Placed(const skyline::VertexRow& row) const
+  {
+    skyline::VertexRow placed{};
+    for (int column = 0; column < 4; ++column)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        placed[static_cast<std::size_t>(column)] +=
+          row[static_cast<std::size_t>(k)] * this->Placement->GetElement(k, column);
+      }
+    }
+    return placed;
   }
 
   bool Send(skyline::PostTexture& texture, vtkOpenGLRenderWindow* window, vtkDataArray* array,
@@ -249,7 +280,7 @@ vtkSoftShadowShader::~vtkSoftShadowShader() = default;
 
 void vtkSoftShadowShader::SetMode(int mode)
 {
-  mode = std::clamp(mode, static_cast<int>(IRRADIANCE), static_cast<int>(VISIBILITY));
+  mode = std::clamp(mode, static_cast<int>(IRRADIANCE), static_cast<int>(RECEIVER));
   if (this->Mode != mode)
   {
     this->Mode = mode;
@@ -437,6 +468,15 @@ std::string vtkSoftShadowShader::Prepare(vtkOpenGLRenderWindow* window)
     }
     sent = in.Send(in.Irradiance, window, array, 0, 3, false);
   }
+  else if (this->Mode == RECEIVER)
+  {
+    const std::string reason = in.Receiver.Prepare(window, in.Image, in.Uploads);
+    if (!reason.empty())
+    {
+      return reason;
+    }
+    in.InUse.push_back(&in.Receiver.Texture);
+  }
   else
   {
     const std::string& name =
@@ -474,9 +514,17 @@ std::string vtkSoftShadowShader::Prepare(vtkOpenGLRenderWindow* window)
   return sent ? std::string() : "OpenGL refuses the textures of the height field";
 }
 
-void vtkSoftShadowShader::ReplaceShaderValues(const std::map<vtkShader::Type, vtkShader*>& shaders)
+void vtkSoftShadowShader::ReplaceShaderValues(
+  const std::map<vtkShader::Type, vtkShader*>& shaders, int normals)
 {
   using skyline::ShaderPart;
+  std::string receiver;
+  if (this->Mode == RECEIVER)
+  {
+    // First: what follows is put before it.
+    receiver = this->Inside->Receiver.AddText(
+      shaders, static_cast<skyline::ReceiverLight::Normals>(normals));
+  }
   vtkShader* vertex = shaders.at(vtkShader::Vertex);
   AddAfter(vertex, "//VTK::PositionVC::Dec", ShaderPart(skyline_SoftShadowVS));
   AddAfter(vertex, "//VTK::PositionVC::Impl", ShaderPart(skyline_SoftShadowVS, "Impl"));
@@ -498,9 +546,10 @@ void vtkSoftShadowShader::ReplaceShaderValues(const std::map<vtkShader::Type, vt
     developed = "SkylineEncode(" + developed + ")";
   }
   functions += Define("SKYLINE_DEVELOP(c)", developed);
-  functions += ShaderPart(this->Mode == IRRADIANCE ? skyline_Irradiance
-      : this->Mode == TRANSFER                     ? skyline_Transfer
-                                                   : skyline_Visibility);
+  functions += this->Mode == RECEIVER ? receiver
+                                      : ShaderPart(this->Mode == IRRADIANCE ? skyline_Irradiance
+                                            : this->Mode == TRANSFER        ? skyline_Transfer
+                                                                            : skyline_Visibility);
   std::string lamps;
   if (this->HasLamps())
   {
@@ -544,28 +593,17 @@ void vtkSoftShadowShader::SetUniforms(
       program->SetUniformi(texture->GetUniform().c_str(), texture->GetUnit());
     }
   }
-  // The buffer holds (position - shift) * scale.
-  vtkOpenGLVertexBufferObject* vertices = buffers->GetVBO("vertexMC");
-  const bool shifted = vertices && vertices->GetCoordShiftAndScaleEnabled() &&
-    vertices->GetShift().size() >= 3 && vertices->GetScale().size() >= 3;
-  const auto place = [&](const char* name, const std::array<double, 4>& row)
-  {
-    std::array<double, 4> adapted = row;
-    for (std::size_t k = 0; k < 3 && shifted; ++k)
-    {
-      adapted[3] += row[k] * vertices->GetShift()[k];
-      adapted[k] = row[k] / vertices->GetScale()[k];
-    }
-    const std::array<float, 4> numbers{ { static_cast<float>(adapted[0]),
-      static_cast<float>(adapted[1]), static_cast<float>(adapted[2]),
-      static_cast<float>(adapted[3]) } };
-    program->SetUniform4f(name, numbers.data());
-  };
-  place("skylineAcross", in.Across);
-  place("skylineUp", in.Up);
+  const bool receiver = this->Mode == RECEIVER;
+  skyline::SetVertexRow(
+    program, buffers, "skylineAcross", receiver ? in.Placed(in.Across) : in.Across);
+  skyline::SetVertexRow(program, buffers, "skylineUp", receiver ? in.Placed(in.Up) : in.Up);
   program->SetUniformf("skylineGain",
     static_cast<float>(std::exp2(std::clamp(this->Exposure, -120.0, 120.0)) / skyline::Pi));
-  if (this->Mode != IRRADIANCE)
+  if (receiver)
+  {
+    in.Receiver.SetUniforms(program, buffers, in.Placement, OpenSky(in.Light));
+  }
+  else if (this->Mode != IRRADIANCE)
   {
     if (in.PackedLight.empty())
     {
@@ -593,9 +631,47 @@ void vtkSoftShadowShader::ReleaseGraphicsResources(vtkWindow* window)
   in.Irradiance.Release(window);
   in.Gradient.Release(window);
   in.LampLight.Release(window);
+  in.Receiver.Texture.Release(window);
   for (skyline::PostTexture& texture : in.Harmonics)
   {
     texture.Release(window);
+  }
+}
+
+void vtkSoftShadowShader::SetSunIrradiance(double red, double green, double blue)
+{
+  this->Inside->Receiver.Sun = { { red, green, blue } };
+  this->Modified();
+}
+
+void vtkSoftShadowShader::GetSunIrradiance(double rgb[3])
+{
+  std::copy(this->Inside->Receiver.Sun.begin(), this->Inside->Receiver.Sun.end(), rgb);
+}
+
+void vtkSoftShadowShader::SetPenumbraDepth(double depth)
+{
+  if (this->Inside->Receiver.PenumbraDepth != depth)
+  {
+    this->Inside->Receiver.PenumbraDepth = depth;
+    this->Modified();
+  }
+}
+
+double vtkSoftShadowShader::GetPenumbraDepth()
+{
+  return this->Inside->Receiver.PenumbraDepth;
+}
+
+void vtkSoftShadowShader::SetPlacement(vtkMatrix4x4* matrix)
+{
+  if (matrix)
+  {
+    this->Inside->Placement->DeepCopy(matrix);
+  }
+  else
+  {
+    this->Inside->Placement->Identity();
   }
 }
 
@@ -619,6 +695,7 @@ void vtkSoftShadowShader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VisibilityArrayName: " << this->VisibilityArrayName << "\n";
   os << indent << "LampArrayName: " << this->LampArrayName << "\n";
   os << indent << "ElevationArrayName: " << this->ElevationArrayName << "\n";
+  os << indent << "PenumbraDepth: " << this->Inside->Receiver.PenumbraDepth << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "ToneMapping: " << this->ToneMapping << "\n";
   os << indent << "LinearTextures: " << this->LinearTextures << "\n";

@@ -4,12 +4,17 @@
  * @brief light on a height field, for the fragment shader of a poly data mapper
  *
  * Holds what lights a terrain: point arrays of its height field, which become textures at the
- * resolution of the posts, and the lights, which are uniforms. Three ways to light, by Mode:
+ * resolution of the posts, and the lights, which are uniforms. Four ways to light, by Mode:
  * - IRRADIANCE: the array Irradiance (RGB), light that is already summed up;
  * - TRANSFER: the array TransferSH (16 coefficients of visibility times cosine) against the 16
  *   coefficients of the light;
  * - VISIBILITY: the array VisibilitySH (16 coefficients) times the clamped cosine around the
- *   normal of the heights, at every fragment, times the light.
+ *   normal of the heights, at every fragment, times the light;
+ * - RECEIVER: the arrays ShadowHeight, or ShadowHeightUpper and ShadowHeightLower, and the field array
+ *   ShadowSun, all of vtkShadowHeightMap. Draws whatever stands or flies over the height field (houses,
+ *   aircraft, a point cloud) in the shadow of the terrain: the sun, as far as the terrain leaves its disc
+ *   free at the fragment's own height (as vtkShadowReceiver finds it), times the cosine, and the
+ *   16 coefficients of the light as a sky that nothing hides.
  * In each of them up to four lamps may add their own light, from the array LampIrradiance.
  *
  * The ground is Lambertian: it sends out albedo * E / pi. The albedo is what VTK would show without
@@ -19,7 +24,7 @@
  * Other mappers call it as vtkSoftShadowPolyDataMapper does: Prepare before drawing,
  * ReplaceShaderValues on the templates (and no light of their own), Activate, SetUniforms for every
  * program, Deactivate. Positions of the mesh are those of the image; an actor's matrix does not
- * change the light. Several mappers may share one shader, and with it the textures.
+ * change the light, but in RECEIVER, where it moves the mesh through the shadow (SetPlacement). Several mappers may share one shader, and with it the textures.
  *
  * Missing posts (NaN) take light from their neighbours, so that a mesh with coarser cells has no
  * black rims. Angles and axes as everywhere: x east, y north, z up; harmonics real, orthonormal,
@@ -39,6 +44,7 @@
 
 class vtkAlgorithmOutput;
 class vtkImageData;
+class vtkMatrix4x4;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexBufferObjectGroup;
 class vtkShaderProgram;
@@ -56,7 +62,17 @@ public:
   {
     IRRADIANCE,
     TRANSFER,
-    VISIBILITY
+    VISIBILITY,
+    RECEIVER
+  };
+
+  /// The normals of a mesh for RECEIVER: those of its faces, those of its points, or none: what has no
+  /// side is lit as if turned to the sun.
+  enum NormalType
+  {
+    FACES,
+    POINTS,
+    NONE
   };
 
   ///@{
@@ -131,6 +147,24 @@ public:
 
   ///@{
   /**
+   * Irradiance that the sun of RECEIVER gives a plane which faces it, linear RGB. Default 1, 1, 1. A
+   * uniform; where the sun stands is the shadow heights' to say.
+   */
+  void SetSunIrradiance(double red, double green, double blue);
+  void GetSunIrradiance(double rgb[3]);
+  ///@}
+
+  ///@{
+  /**
+   * How far below ShadowHeight light fades, metres; default 0, a hard edge. Of RECEIVER, as in
+   * vtkShadowReceiver; counts without shadow heights of both limbs alone.
+   */
+  void SetPenumbraDepth(double depth);
+  double GetPenumbraDepth();
+  ///@}
+
+  ///@{
+  /**
    * Exposure in stops: light is multiplied by 2 to this power. Default 0, which shows level open
    * ground under an irradiance of pi as its albedo. A uniform.
    */
@@ -167,9 +201,16 @@ public:
 
   /**
    * Adds the light to the templates of a poly data mapper. To be called before VTK's own
-   * replacements; the mapper must leave out VTK's lights (ReplaceShaderLight).
+   * replacements; the mapper must leave out VTK's lights (ReplaceShaderLight). normals: a NormalType,
+   * for RECEIVER, in which the mapper must leave out VTK's normals too (ReplaceShaderNormal).
    */
-  void ReplaceShaderValues(const std::map<vtkShader::Type, vtkShader*>& shaders);
+  void ReplaceShaderValues(
+    const std::map<vtkShader::Type, vtkShader*>& shaders, int normals = FACES);
+
+  /**
+   * The matrix of the actor that the next SetUniforms is for; null: none. Counts in RECEIVER.
+   */
+  void SetPlacement(vtkMatrix4x4* matrix);
 
   ///@{
   /**
