@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkylineSunLight.h"
 
+#include "SunField.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSkylineGeoreference.h"
+
+#include <exception>
 
 vtkStandardNewMacro(vtkSkylineSunLight);
 
@@ -17,4 +24,45 @@ void vtkSkylineSunLight::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "UseTime: " << this->UseTime << "\n"
      << indent << "Time: " << this->Time << "\n"
      << indent << "LimbDarkening: " << this->LimbDarkening << "\n";
+}
+
+bool vtkSkylineSunLight::FindDirection(vtkImageData* heightField, double direction[3])
+{
+  direction[0] = this->Azimuth;
+  direction[1] = this->Elevation;
+  direction[2] = this->AngularRadius;
+  if (!this->UseTime)
+  {
+    return true;
+  }
+  if (!heightField)
+  {
+    vtkErrorMacro("no height field: the sun of a time needs a place");
+    return false;
+  }
+  double range[2] = { 0.0, 0.0 };
+  if (vtkDataArray* heights = heightField->GetPointData()->GetScalars())
+  {
+    heights->GetFiniteRange(range, 0);
+  }
+  const double height = range[0] <= range[1] ? range[0] + 0.5 * (range[1] - range[0]) : 0.0;
+  const int* posts = heightField->GetDimensions();
+  try
+  {
+    const skyline::SunField sun(
+      skyline::LoadGeoreference(heightField), skyline::ParseUtcTime(this->Time), height);
+    const skyline::GridSun middle = sun.At(0.5 * (posts[0] - 1), 0.5 * (posts[1] - 1));
+    direction[0] = middle.Azimuth;
+    direction[1] = middle.Elevation;
+    if (this->TrueRadius)
+    {
+      direction[2] = middle.Radius;
+    }
+    return true;
+  }
+  catch (const std::exception& reason)
+  {
+    vtkErrorMacro(<< reason.what());
+    return false;
+  }
 }

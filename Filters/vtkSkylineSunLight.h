@@ -13,6 +13,8 @@
 
 #include <string>
 
+class vtkImageData;
+
 class SKYLINEFILTERS_EXPORT vtkSkylineSunLight : public vtkSkylineLight
 {
 public:
@@ -68,6 +70,11 @@ public:
   vtkGetMacro(LimbDarkening, bool);
   vtkBooleanMacro(LimbDarkening, bool);
   ///@}
+
+  /// Where it stands over the middle of a height field: azimuth (clockwise from grid north) and
+  /// apparent elevation, with UseTime those of Time there, and angular radius; degrees. The heights
+  /// are the active scalars. False, with one error, where there is no such place or time.
+  bool FindDirection(vtkImageData* heightField, double direction[3]);
 
 protected:
   vtkSkylineSunLight() = default;

@@ -13,7 +13,13 @@ CLASSES = [
     "vtkHeightFieldAlgorithm", "vtkHeightFieldHorizon", "vtkHeightFieldSkyView",
     "vtkHeightFieldSunShadow", "vtkHeightFieldShading", "vtkHeightFieldSkyLight",
     "vtkHeightFieldSurface", "vtkSkylineEGLWindow", "vtkSoftShadowPolyDataMapper",
-    "vtkSoftShadowShader",
+    "vtkSoftShadowShader", "vtkHeightFieldVisibility", "vtkHeightFieldTransfer",
+    "vtkHeightFieldIrradiance", "vtkSkylineLight", "vtkSkylineEnvironmentLight",
+    "vtkSkylineKeyLight", "vtkSkylineLampLight", "vtkSkylineSunLight", "vtkLightMapReader",
+    "vtkShadowHeightMap", "vtkShadowReceiver", "vtkHeightFieldCap",
+    "vtkOpenGLHeightFieldDevice", "vtkOpenGLHeightFieldHorizon",
+    "vtkOpenGLHeightFieldVisibility", "vtkOpenGLHeightFieldTransfer",
+    "vtkOpenGLHeightFieldIrradiance",
 ]
 
 

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks of what users pass: each message names the value and the cure."""
+
+from __future__ import annotations
+
+import datetime
+import math
+import operator
+from typing import Any, Sequence
+
+import numpy as np
+
+
+def number(name: str, value: Any, wanted: str, fits: Any = math.isfinite) -> float:
+    """`value` as a finite float for which fits(value) holds; `wanted` says in words which those are."""
+    if isinstance(value, (bool, np.bool_, str, bytes)):
+        raise TypeError(f"{name} is {value!r}; give {wanted}")
+    try:
+        result = float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} is {value!r}; give {wanted}") from None
+    if not math.isfinite(result) or not fits(result):
+        raise ValueError(f"{name} is {result:g}; give {wanted}")
+    return result
+
+
+def numbers(name: str, values: Any, count: int, wanted: str) -> list[float]:
+    """A sequence of `count` finite numbers."""
+    try:
+        listed = list(values)
+    except TypeError:
+        raise TypeError(f"{name} is {values!r}; give {wanted}") from None
+    if isinstance(values, (str, bytes)) or len(listed) != count:
+        raise ValueError(f"{name} is {values!r}; give {wanted}")
+    return [number(name, value, wanted) for value in listed]
+
+
+def whole(name: str, value: Any, least: int, most: int) -> int:
+    """A whole number from `least` to `most`."""
+    try:
+        result = operator.index(value)
+    except TypeError:
+        result = None
+    if result is None or isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} is {value!r}; give a whole number from {least} to {most}")
+    if not least <= result <= most:
+        raise ValueError(f"{name} is {result}; give {least} to {most}")
+    return result
+
+
+def choice(name: str, value: Any, choices: Sequence[str]) -> int:
+    """The place of `value` in `choices`."""
+    if value not in choices:
+        raise ValueError(f"{name} is {value!r}; give {' or '.join(map(repr, choices))}")
+    return list(choices).index(value)
+
+
+def color(name: str, value: Any) -> list[float]:
+    """RGB, from one number or three, none negative."""
+    wanted = "one number or three (red, green, blue), 0 or more"
+    rgb = [value] * 3 if np.ndim(value) == 0 else numbers(name, value, 3, wanted)
+    return [number(name, part, wanted, lambda part: part >= 0.0) for part in rgb]
+
+
+def direction(name: str, value: Any) -> list[float]:
+    """(azimuth, elevation) in degrees."""
+    wanted = "(azimuth, elevation) in degrees, the elevation from -90 to 90"
+    azimuth, elevation = numbers(name, value, 2, wanted)
+    number(name + "[1]", elevation, wanted, lambda degrees: abs(degrees) <= 90.0)
+    return [azimuth, elevation]
+
+
+def moment(value: Any) -> str:
+    """A time in UTC as ISO 8601 text, which the classes read."""
+    if isinstance(value, datetime.datetime):
+        if value.tzinfo is None:
+            raise ValueError(f"time {value} has no zone; give tzinfo=datetime.timezone.utc")
+        value = value.astimezone(datetime.timezone.utc).replace(tzinfo=None)
+        return value.isoformat(timespec="milliseconds") + "Z"
+    if isinstance(value, np.datetime64):
+        if np.isnat(value):
+            raise ValueError("time is NaT; give a moment such as '2026-06-21T06:00Z'")
+        return str(value.astype("datetime64[ms]")) + "Z"
+    if not isinstance(value, str):
+        raise TypeError(f"time is {value!r}; give text such as '2026-06-21T06:00Z' or a datetime")
+    return value

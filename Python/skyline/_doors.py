@@ -1,0 +1,375 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Arrays in, arrays out: one function a quantity."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import Any, Iterable, Literal, Sequence, TypedDict, Union, Unpack, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
+
+from . import _check, _lights
+from ._images import FileName, Row0, Spacing, _names, _quoted, read, to_array, to_image
+from ._run import run
+from .SkylineFilters import (
+    vtkHeightFieldAlgorithm,
+    vtkHeightFieldHorizon,
+    vtkHeightFieldIrradiance,
+    vtkHeightFieldSkyView,
+    vtkHeightFieldSunShadow,
+    vtkShadowHeightMap,
+    vtkSkylineLight,
+)
+
+Sun = Sequence[float]
+Floats = NDArray[np.float32]
+Heights = Union[ArrayLike, FileName]
+
+_METHODS = ("exact", "fast", "sweep", "pyramid")
+_SURFACES = ("triangles", "bilinear")
+_QUANTITIES = ("SkyViewFactor", "SkyViewFactorHorizontal", "VisibleSkyFraction", "PositiveOpenness")
+
+
+class Options(TypedDict, total=False):
+    """What every function takes, by name.
+
+    row0, crs, transform, nodata   as in to_image
+    scalars    name of an image's heights; default its active scalars
+    method     "exact" (default), "fast" (below the horizon by 0.25 degrees at most), "sweep", "pyramid"
+    surface    "triangles" (default) or "bilinear"
+    flat       True leaves curvature and refraction out; default False
+    """
+
+    row0: Row0
+    crs: Any
+    transform: Any
+    nodata: float | None
+    scalars: str | None
+    method: Literal["exact", "fast", "sweep", "pyramid"]
+    surface: Literal["triangles", "bilinear"]
+    flat: bool
+
+
+@dataclass
+class _Terrain:
+    """The image that a filter takes, and how its result goes back."""
+
+    image: vtkImageData
+    row0: Row0
+    as_image: bool
+    name: str
+    method: int
+    surface: int
+    flat: bool
+
+    def run(self, filter_: vtkHeightFieldAlgorithm) -> vtkImageData:
+        filter_.SetInputData(self.image)
+        filter_.SetInputArrayToProcess(
+            0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, self.name)
+        filter_.SetMethod(self.method)
+        filter_.SetSurface(self.surface)
+        filter_.SetFlat(self.flat)
+        run(filter_)
+        return filter_.GetOutput()
+
+    def result(self, filter_: vtkHeightFieldAlgorithm, name: str) -> Any:
+        output = self.run(filter_)
+        return output if self.as_image else to_array(output, name, row0=self.row0)
+
+
+def _terrain(
+    z: Any,
+    spacing: Any,
+    row0: Row0 = "north",
+    crs: Any = None,
+    transform: Any = None,
+    nodata: float | None = None,
+    scalars: str | None = None,
+    method: str = "exact",
+    surface: str = "triangles",
+    flat: bool = False,
+) -> _Terrain:
+    as_image = isinstance(z, vtkImageData)
+    placed = as_image or isinstance(z, (str, os.PathLike))
+    if placed:
+        given = {"spacing": spacing, "crs": crs, "transform": transform, "nodata": nodata}
+        for name, value in given.items():
+            if value is not None:
+                raise TypeError(f"{name} is given, but an image or a file has its own; leave it out")
+        image = z if as_image else read(z)
+        if not as_image:
+            _check.choice("row0", row0, ("north", "south"))
+    else:
+        image = to_image(z, spacing, row0=row0, crs=crs, transform=transform, nodata=nodata)
+    array = image.GetPointData().GetScalars() if scalars is None else (
+        image.GetPointData().GetArray(scalars))
+    if array is None:
+        raise ValueError(
+            f"the image has no {_quoted(scalars)}; name its heights by scalars=: {_names(image)}")
+    if array.GetName() is None:
+        copy = vtkImageData()  # the user's image keeps its nameless array
+        copy.ShallowCopy(image)
+        array = array.NewInstance()
+        array.ShallowCopy(image.GetPointData().GetScalars())
+        array.SetName("Elevation")
+        copy.GetPointData().SetScalars(array)
+        image = copy
+    return _Terrain(
+        image, row0, as_image, array.GetName(), _check.choice("method", method, _METHODS),
+        _check.choice("surface", surface, _SURFACES), bool(flat))
+
+
+@overload
+def horizon(z: vtkImageData, spacing: None = None, azimuths: int = 72,
+            **options: Unpack[Options]) -> vtkImageData: ...
+@overload
+def horizon(z: Heights, spacing: Spacing | None = None, azimuths: int = 72,
+            **options: Unpack[Options]) -> Floats: ...
+def horizon(z: Any, spacing: Any = None, azimuths: int = 72, **options: Unpack[Options]) -> Any:
+    """The horizon all around every post; z's row 0 is its NORTH edge, or its south one by row0="south".
+
+    z          array (rows, columns) of heights, metres; the name of a raster file; or a vtkImageData
+    spacing    metres between posts, one number or (dx, dy); none with a file, an image or a transform
+    azimuths   how many, evenly spread; 1 to 3600
+    options    row0, crs, transform, nodata, method, surface, flat: see skyline.Options
+
+    Returns float32 (rows, columns, azimuths), rows as z has them: degrees above the horizontal plane,
+    component k in azimuth 360 k / azimuths, clockwise from grid north (the grid's up); -90 where no
+    terrain lies there, NaN at missing posts. For a vtkImageData, that image with the point array
+    HorizonElevation. Raises TypeError, ValueError or skyline.Error, which name value and cure.
+
+    A wall in the north, ten metres high and ten away:
+
+    >>> z = [[10, 10, 10],
+    ...      [0, 0, 0],
+    ...      [0, 0, 0]]
+    >>> horizon(z, 10.0, azimuths=4)[1, 1]
+    array([45.,  0.,  0.,  0.], dtype=float32)
+    """
+    terrain = _terrain(z, spacing, **options)
+    filter_ = vtkHeightFieldHorizon()
+    filter_.SetNumberOfAzimuths(_check.whole("azimuths", azimuths, 1, 3600))
+    return terrain.result(filter_, "HorizonElevation")
+
+
+@overload
+def sky_view(z: vtkImageData, spacing: None = None, azimuths: int = 72,
+             quantity: str | Sequence[str] = ..., **options: Unpack[Options]) -> vtkImageData: ...
+@overload
+def sky_view(z: Heights, spacing: Spacing | None = None, azimuths: int = 72,
+             quantity: str = ..., **options: Unpack[Options]) -> Floats: ...
+@overload
+def sky_view(z: Heights, spacing: Spacing | None, azimuths: int, quantity: Sequence[str],
+             **options: Unpack[Options]) -> dict[str, Floats]: ...
+def sky_view(
+    z: Any, spacing: Any = None, azimuths: int = 72,
+    quantity: str | Sequence[str] = "SkyViewFactor", **options: Unpack[Options],
+) -> Any:
+    """How much sky every post sees; z's row 0 is its NORTH edge, or its south one by row0="south".
+
+    z, spacing, azimuths, options   as in horizon
+    quantity   "SkyViewFactor" (cosine-weighted, on the tilted surface, 0 to 1),
+               "SkyViewFactorHorizontal" (the same on a level surface), "VisibleSkyFraction" (of the
+               upper hemisphere's solid angle), or "PositiveOpenness" (degrees). Several, as a list,
+               take one search.
+
+    Returns float32 (rows, columns), rows as z has them, NaN at missing posts; for a list of quantities
+    a dictionary of them. For a vtkImageData, that image with the point arrays of these names.
+
+    >>> float(sky_view([[5, 5], [5, 5]], 30.0)[0, 0])  # level ground sees all of it
+    1.0
+    """
+    terrain = _terrain(z, spacing, **options)
+    wanted = [quantity] if isinstance(quantity, str) else list(quantity)
+    for name in wanted:
+        _check.choice("quantity", name, _QUANTITIES)
+    if not wanted:
+        raise ValueError(f"quantity is empty; give one of {', '.join(_QUANTITIES)}")
+    filter_ = vtkHeightFieldSkyView()
+    filter_.SetNumberOfAzimuths(_check.whole("azimuths", azimuths, 1, 3600))
+    for name in _QUANTITIES:
+        getattr(filter_, "Set" + name)(name in wanted)
+    if terrain.as_image or isinstance(quantity, str):
+        return terrain.result(filter_, wanted[0])
+    output = terrain.run(filter_)
+    return {name: to_array(output, name, row0=terrain.row0) for name in wanted}
+
+
+@overload
+def sun_visibility(z: vtkImageData, spacing: None = None, sun: Sun | None = None, *, time: Any = None,
+                   radius: float | None = None, limb_darkening: bool = False,
+                   **options: Unpack[Options]) -> vtkImageData: ...
+@overload
+def sun_visibility(z: Heights, spacing: Spacing | None = None, sun: Sun | None = None, *,
+                   time: Any = None, radius: float | None = None, limb_darkening: bool = False,
+                   **options: Unpack[Options]) -> Floats: ...
+def sun_visibility(
+    z: Any, spacing: Any = None, sun: Any = None, *, time: Any = None, radius: float | None = None,
+    limb_darkening: bool = False, **options: Unpack[Options],
+) -> Any:
+    """The lit part of the sun's disc at every post; z's row 0 is its NORTH edge (else row0="south").
+
+    z, spacing, options   as in horizon
+    sun        (azimuth, elevation), degrees: clockwise from grid north, apparent elevation
+    time       in place of `sun`: UTC, "2026-06-21T06:00Z", a datetime with a zone, or numpy.datetime64;
+               1900 to 2100. Needs a place: a file, an image from read, or crs and transform
+    radius     of the disc, degrees, 0 (hard shadows) to below 90; default 0.26645, with time the true one
+    limb_darkening   let the disc darken towards its limb
+
+    Returns float32 (rows, columns), 0 (shadow) to 1, rows as z has them, NaN at missing posts. For a
+    vtkImageData, that image with the point array SunVisibility.
+
+    The sun in the west, beyond a wall in column 2, whose shadow is 84 m long:
+
+    >>> z = np.zeros((3, 20))
+    >>> z[:, 2] = 100.0
+    >>> sun_visibility(z, 10.0, sun=(270.0, 50.0))[1, 8:13]
+    array([0., 0., 0., 1., 1.], dtype=float32)
+    """
+    terrain = _terrain(z, spacing, **options)
+    filter_ = vtkHeightFieldSunShadow()
+    if (sun is None) == (time is None):
+        raise TypeError("give sun=(azimuth, elevation), or time, and not both")
+    if time is not None:
+        filter_.UseTimeOn()
+        filter_.SetTime(_check.moment(time))
+    else:
+        azimuth, elevation = _check.direction("sun", sun)
+        filter_.SetSunAzimuth(azimuth)
+        filter_.SetSunElevation(elevation)
+    if radius is not None:
+        filter_.SetTrueRadius(False)
+        filter_.SetSunAngularRadius(_lights.check_radius(radius))
+    filter_.SetLimbDarkening(bool(limb_darkening))
+    return terrain.result(filter_, "SunVisibility")
+
+
+@overload
+def shadow_height(z: vtkImageData, spacing: None = None, *, sun: Sun,
+                  below_terrain: bool = False, **options: Unpack[Options]) -> vtkImageData: ...
+@overload
+def shadow_height(z: Heights, spacing: Spacing | None = None, *, sun: Sun,
+                  below_terrain: bool = False, **options: Unpack[Options]) -> Floats: ...
+def shadow_height(
+    z: Any, spacing: Any = None, *, sun: Any, below_terrain: bool = False,
+    **options: Unpack[Options],
+) -> Any:
+    """How high the terrain's shadow stands over every post; z's row 0 is its NORTH edge (else row0).
+
+    z, spacing, options   as in horizon
+    sun            (azimuth, elevation), degrees, as in sun_visibility
+    below_terrain  tell also how far below the ground the shadow passes where the post is lit; else
+                   there it is the post's own height
+
+    Returns float32 (rows, columns), metres in the frame of the heights, rows as z has them; infinite
+    with the sun on or under the horizontal plane. For a vtkImageData, that image with ShadowHeight.
+
+    >>> z = np.zeros((2, 6))
+    >>> z[:, 0] = 30.0
+    >>> shadow_height(z, 10.0, sun=(270.0, 45.0))[0]
+    array([30., 20., 10.,  0.,  0.,  0.], dtype=float32)
+    """
+    terrain = _terrain(z, spacing, **options)
+    azimuth, elevation = _check.direction("sun", sun)
+    filter_ = vtkShadowHeightMap()
+    filter_.SetSunAzimuth(azimuth)
+    filter_.SetSunElevation(elevation)
+    filter_.SetBelowTerrain(bool(below_terrain))
+    return terrain.result(filter_, "ShadowHeight")
+
+
+@overload
+def irradiance(z: vtkImageData, spacing: None = None, environment: Any = None, *,
+               sun: Sun | None = None, time: Any = None, sun_irradiance: Any = None,
+               radius: float | None = None, lamps: Iterable[Sequence[float]] = (),
+               lights: Iterable[vtkSkylineLight] = (), rotation: float = 0.0, azimuths: int = 128,
+               horizontal: bool = False, light_method: Literal["table", "sh"] = "table",
+               **options: Unpack[Options]) -> vtkImageData: ...
+@overload
+def irradiance(z: Heights, spacing: Spacing | None = None, environment: Any = None, *,
+               sun: Sun | None = None, time: Any = None, sun_irradiance: Any = None,
+               radius: float | None = None, lamps: Iterable[Sequence[float]] = (),
+               lights: Iterable[vtkSkylineLight] = (), rotation: float = 0.0, azimuths: int = 128,
+               horizontal: bool = False, light_method: Literal["table", "sh"] = "table",
+               **options: Unpack[Options]) -> Floats: ...
+def irradiance(
+    z: Any, spacing: Any = None, environment: Any = None, *, sun: Any = None, time: Any = None,
+    sun_irradiance: Any = None, radius: float | None = None, lamps: Any = (), lights: Any = (),
+    rotation: float = 0.0, azimuths: int = 128, horizontal: bool = False,
+    light_method: str = "table", **options: Unpack[Options],
+) -> Any:
+    """The light that falls on every post; z's row 0 is its NORTH edge, or its south one by row0="south".
+
+    z, spacing, options   as in horizon
+    environment    the sky: "uniform" (radiance 1), "cie:1" to "cie:16" (radiance 1 in the zenith),
+                   "perez:DIRECT,DIFFUSE" (W/m2; its sun shines too), a .hdr or .exr file, or a light map
+                   (rows, 2 rows, 3): linear RGB, row 0 the zenith, the centre column north. Default
+                   "uniform" if there is no other light
+    sun, time      where the sun stands, as in sun_visibility; the sun of a sky too
+    sun_irradiance on a plane that faces it, one number or RGB; default 1, with perez: DIRECT
+    radius         of its disc, degrees, as in sun_visibility
+    lamps          glowing balls (x, y, z, radius) or (x, y, z, radius, red, green, blue): x and y in the
+                   CRS, without one metres from the south-west post; z and radius in metres; radiance 1
+    lights         further vtkSkylineLight objects
+    rotation       degrees by which the environment is turned clockwise
+    azimuths       evenly spread; more are added where a light map is bright
+    horizontal     level receivers in place of the posts' own planes
+    light_method   "table", or "sh": spherical harmonics, a blur
+
+    Returns float32 (rows, columns, 3), linear RGB, rows as z has them, NaN at missing posts. For a
+    vtkImageData, that image with the point array Irradiance.
+
+    >>> float(irradiance([[5, 5], [5, 5]], 30.0, sun=(180.0, 30.0), sun_irradiance=800.0)[0, 0, 0])
+    400.0
+    """
+    terrain = _terrain(z, spacing, **options)
+    filter_ = vtkHeightFieldIrradiance()
+    filter_.SetNumberOfAzimuths(_check.whole("azimuths", azimuths, 1, 3600))
+    filter_.SetHorizontal(bool(horizontal))
+    filter_.SetLightMethod(_check.choice("light_method", light_method, ("table", "sh")))
+    lamps, lights = list(_lights.lamp_lights(lamps, terrain.image)), list(lights)
+    for place, light in enumerate(lights):
+        if not isinstance(light, vtkSkylineLight):
+            raise TypeError(f"lights[{place}] is {light!r}; give a vtkSkylineLight")
+    if sun is not None and time is not None:
+        raise TypeError("give sun=(azimuth, elevation), or time, and not both")
+    direction = None if sun is None else _check.direction("sun", sun)
+    if time is not None:
+        direction = list(sun_position(terrain.image, time)[:2])
+    if environment is None and direction is None and not lamps and not lights:
+        environment = "uniform"
+    if environment is not None:
+        sky = _lights.environment_light(environment, rotation, direction)
+        filter_.AddLight(sky)
+        if sky.GetSource() == sky.PEREZ:
+            direction = direction or [sky.GetSunAzimuth(), sky.GetSunElevation()]
+            if sun_irradiance is None:
+                sun_irradiance = sky.GetDirectIrradiance()
+    strength = 1.0 if sun_irradiance is None else sun_irradiance
+    if time is not None:
+        filter_.AddLight(_lights.sun_of_time(time, strength, radius))
+    elif direction is not None:
+        filter_.AddLight(_lights.sun_light(direction, strength, radius))
+    for light in lamps + lights:
+        filter_.AddLight(light)
+    return terrain.result(filter_, "Irradiance")
+
+
+def sun_position(place: FileName | vtkImageData, time: Any) -> tuple[float, float, float]:
+    """Where the sun stands over the middle of a raster: azimuth, elevation, angular radius; degrees.
+
+    place   the name of a raster file with a CRS, or an image that read or to_image gave
+    time    as in sun_visibility
+
+    The azimuth counts clockwise from grid north, the elevation is apparent (lifted by the air): what
+    `sun` takes elsewhere.
+
+    >>> azimuth, elevation, radius = sun_position("Testing/Data/dem/SainteHelens.tif", "2026-06-21T20:00Z")
+    >>> round(azimuth), round(elevation)
+    (173, 67)
+    """
+    image = place if isinstance(place, vtkImageData) else read(place)
+    return _lights.find_direction(image, _check.moment(time))

@@ -1,0 +1,360 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""numpy arrays as height fields of VTK and back; rasters read and written."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from typing import Any, Iterable, Literal, Sequence, Union
+from xml.sax.saxutils import escape
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
+
+from . import _check
+from ._run import Error, run
+from .SkylineIO import vtkHeightFieldPictureWriter, vtkHeightFieldReader, vtkHeightFieldWriter
+
+FileName = Union[str, "os.PathLike[str]"]
+Row0 = Literal["north", "south"]
+Spacing = Union[float, Sequence[float]]
+
+# What rasters put where they have no height; no ground on the Earth is exactly there.
+_SENTINELS = (-9999.0, -99999.0, -32768.0, -32767.0)
+_ABSURD = 1.0e30
+
+
+def to_image(
+    z: ArrayLike,
+    spacing: Spacing | None = None,
+    *,
+    row0: Row0 = "north",
+    crs: Any = None,
+    transform: Any = None,
+    nodata: float | None = None,
+) -> vtkImageData:
+    """The height field of an array whose row 0 is its NORTH edge, as rasterio and GDAL read rasters.
+
+    row0="south" turns that round; column 0 is the west edge always.
+
+    z          (rows, columns), at least 2 x 2, integers or floats, metres upwards. NaN, infinite and
+               masked posts are missing.
+    spacing    metres between columns and rows: one number, or (dx, dy), both above 0. Left out where
+               `transform` says it.
+    crs        "EPSG:25830", WKT, an EPSG number, or an object of rasterio or pyproj. Brings curvature,
+               refraction, true north and the sun by time. Needs `transform`.
+    transform  of rasterio (affine), or the six numbers of GDAL's GetGeoTransform, in units of the CRS.
+    nodata     the value of missing posts, if z holds one.
+
+    The image's row 0 is the south edge, its point scalars are "Elevation". It shares the memory of z if
+    row0 is "south", z is contiguous and nothing in it is missing by mask or nodata; else it holds a copy.
+    Raises TypeError, ValueError or skyline.Error, which name the value and the cure.
+
+    >>> image = to_image([[3, 4], [1, 2]], 10.0)  # 1 and 2 lie in the south
+    >>> image.GetDimensions(), image.GetSpacing()
+    ((2, 2, 1), (10.0, 10.0, 1.0))
+    >>> [image.GetScalarComponentAsDouble(x, 0, 0, 0) for x in (0, 1)]
+    [1.0, 2.0]
+    """
+    heights = _heights(z, nodata)
+    south = bool(_check.choice("row0", row0, ("north", "south")))
+    rows, columns = heights.shape
+    if transform is None:
+        if crs is not None:
+            raise ValueError(f"crs is {_short(crs)} without a transform; give transform= too")
+        image = vtkImageData()
+        image.SetDimensions(columns, rows, 1)
+        image.SetSpacing(*_metres(spacing), 1.0)
+    elif spacing is not None:
+        raise ValueError(f"spacing is {spacing!r}, but the transform gives it; leave spacing out")
+    else:
+        image = _place(rows, columns, crs, _six(transform, rows, south))
+    array = _to_vtk(heights if south else heights[::-1])
+    array.SetName("Elevation")
+    image.GetPointData().SetScalars(array)
+    if nodata is not None and np.isfinite(nodata):
+        _store(image, "NodataValue", [float(nodata)])
+    return image
+
+
+def to_array(
+    image: vtkImageData, name: str | None = None, *, row0: Row0 = "north"
+) -> NDArray[Any]:
+    """A point array of an image, (rows, columns) or (rows, columns, components), row 0 = NORTH edge.
+
+    row0="south" keeps VTK's own order. `name`: default the active scalars. A view of the image's
+    memory, never a copy.
+
+    >>> to_array(to_image([[3, 4], [1, 2]], 10.0))
+    array([[3, 4],
+           [1, 2]])
+    """
+    south = bool(_check.choice("row0", row0, ("north", "south")))
+    if not isinstance(image, vtkImageData):
+        raise TypeError(f"image is {_short(image)}; give a vtkImageData")
+    points = image.GetPointData()
+    array = points.GetScalars() if name is None else points.GetArray(name)
+    if array is None:
+        raise ValueError(f"the image has no {_quoted(name)}; it has {_names(image)}")
+    columns, rows, slices = image.GetDimensions()
+    if slices != 1:
+        raise ValueError(f"the image has {slices} slices; give one with a single slice")
+    values = vtk_to_numpy(array)
+    values = values.reshape((rows, columns) + values.shape[1:])
+    return values if south else values[::-1]
+
+
+def read(file: FileName, band: int = 1) -> vtkImageData:
+    """A raster that GDAL opens as a height field in metres, with its place: point scalars "Elevation".
+
+    to_array(image) gives the heights, row 0 = NORTH edge. Raises skyline.Error, naming the file.
+
+    >>> image = read("Testing/Data/dem/SainteHelens.tif")
+    >>> to_array(image).shape
+    (468, 327)
+    """
+    reader = vtkHeightFieldReader()
+    reader.SetFileName(os.fspath(file))
+    reader.SetBand(_check.whole("band", band, 1, 2**31 - 1))
+    run(reader)
+    return reader.GetOutput()
+
+
+def write(
+    file: FileName,
+    values: ArrayLike | vtkImageData,
+    like: FileName | vtkImageData | None = None,
+    *,
+    names: str | Iterable[str] | None = None,
+    spacing: Spacing | None = None,
+    row0: Row0 = "north",
+    crs: Any = None,
+    transform: Any = None,
+    nodata: float | None = None,
+) -> None:
+    """Writes an array (row 0 = NORTH edge, the top; else row0="south") as a raster or a picture.
+
+    file    a GeoTIFF; or .png (unsigned 8 bits) or .exr (floats): a picture of 1, 3 or 4 bands, which
+            needs no place. Complete or not at all.
+    values  (rows, columns), or (rows, columns, bands); or an image, whose point arrays `names`
+            (default: the active scalars) become bands.
+    like    what gives the place: a raster's file name or an image with as many posts. Without it
+            `spacing`, or `transform` and `crs`, as in to_image.
+    names   of the bands of an array.
+
+    Raises TypeError, ValueError or skyline.Error, which name the value and the cure.
+
+    >>> import tempfile
+    >>> sky = np.linspace(0.0, 1.0, 6, dtype=np.float32).reshape(2, 3)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     write(folder + "/sky.tif", sky, spacing=30.0, names="sky view")
+    ...     np.array_equal(to_array(read(folder + "/sky.tif")), sky)
+    True
+    """
+    file = os.fspath(file)
+    listed = [names] if isinstance(names, str) else list(names or [])
+    picture = file.lower().endswith((".png", ".exr"))
+    if isinstance(values, vtkImageData):
+        image = values
+    else:
+        if picture and like is None and spacing is None and transform is None:
+            spacing = 1.0
+        image = _grid(values, like, spacing, row0, crs, transform)
+        if nodata is not None:
+            _store(image, "NodataValue", [_check.number("nodata", nodata, "a number")])
+    if picture:
+        writer = vtkHeightFieldPictureWriter()
+        if image is values and listed:
+            writer.SetArrayName(listed[0])
+    else:
+        writer = vtkHeightFieldWriter()
+        if image is values:
+            for name in listed:
+                writer.AddArray(name)
+        else:
+            _name_bands(writer, listed, image.GetPointData().GetScalars().GetNumberOfComponents())
+    writer.SetFileName(file)
+    writer.SetInputData(image)
+    run(writer, writer.Write)
+
+
+def _grid(
+    values: Any, like: Any, spacing: Any, row0: Row0, crs: Any, transform: Any
+) -> vtkImageData:
+    """An image with the values as point scalars."""
+    south = bool(_check.choice("row0", row0, ("north", "south")))
+    grid = _numeric("values", values)
+    if grid.ndim not in (2, 3) or 0 in grid.shape:
+        raise ValueError(
+            f"values has the shape {grid.shape}; give (rows, columns) or (rows, columns, bands)")
+    if like is None:
+        flat = np.zeros(grid.shape[:2], np.int8)
+        place = to_image(flat, spacing, row0=row0, crs=crs, transform=transform)
+    elif spacing is None and crs is None and transform is None:
+        place = like if isinstance(like, vtkImageData) else read(like)
+    else:
+        raise ValueError("like gives the place already; leave out spacing, crs and transform")
+    columns, rows, _ = place.GetDimensions()
+    if grid.shape[:2] != (rows, columns):
+        raise ValueError(
+            f"values has the shape {grid.shape}, but its place has {rows} rows and {columns} "
+            "columns; give arrays of the same posts")
+    image = vtkImageData()
+    image.CopyStructure(place)
+    image.GetFieldData().ShallowCopy(place.GetFieldData())
+    array = _to_vtk(grid if south else grid[::-1])
+    array.SetName("Values")
+    image.GetPointData().SetScalars(array)
+    return image
+
+
+def _name_bands(writer: vtkHeightFieldWriter, names: list[str], bands: int) -> None:
+    if names and len(names) != bands:
+        raise ValueError(f"names has {len(names)} texts for {bands} bands; give one a band")
+    for band, name in enumerate(names, 1):
+        writer.SetBandDescription(band, name)
+
+
+def _short(value: Any) -> str:
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def _quoted(name: str | None) -> str:
+    return "active point scalars" if name is None else f"point array {name!r}"
+
+
+def _names(image: vtkImageData) -> str:
+    points = image.GetPointData()
+    names = [points.GetArrayName(i) for i in range(points.GetNumberOfArrays())]
+    return ", ".join(repr(name) for name in names) or "no point arrays"
+
+
+def _numeric(name: str, values: Any) -> NDArray[Any]:
+    """An array of integers or floats in the byte order of this machine."""
+    try:
+        array = values if isinstance(values, np.ma.MaskedArray) else np.asarray(values)
+    except ValueError:
+        raise ValueError(f"{name} has rows of different lengths; give (rows, columns)") from None
+    if array.dtype.kind not in "iuf":
+        raise TypeError(
+            f"{name} has the type {array.dtype}; give integers or floats, "
+            f"for instance {name}.astype(float)")
+    if array.dtype.itemsize == 2 and array.dtype.kind == "f":
+        return array.astype(np.float32)
+    if array.dtype.itemsize > 8:
+        return array.astype(np.float64)
+    return array.astype(array.dtype.newbyteorder("="), copy=False)
+
+
+def _heights(z: Any, nodata: float | None) -> NDArray[Any]:
+    """Heights with NaN for missing posts."""
+    array = _numeric("z", z)
+    if array.ndim != 2 or min(array.shape) < 2:
+        raise ValueError(f"z has the shape {array.shape}; give (rows, columns), at least 2 x 2")
+    missing = np.ma.getmaskarray(array) if isinstance(array, np.ma.MaskedArray) else None
+    array = np.asarray(array)
+    if nodata is not None:
+        if np.ndim(nodata) != 0 or isinstance(nodata, (str, bytes, bool)):
+            raise TypeError(f"nodata is {nodata!r}; give one number")
+        # In the array's own digits, as the file has it; integers hold no fraction.
+        with np.errstate(over="ignore"):
+            fill = np.float32(nodata) if array.dtype == np.float32 else nodata
+        there = array == fill
+        missing = there if missing is None else missing | there
+    if missing is not None and missing.any():
+        small = array.dtype.itemsize <= 2 or array.dtype == np.float32
+        array = array.astype(np.float32 if small else np.float64)
+        array[missing] = np.nan
+    elif nodata is None:
+        low = np.nanmin(array) if np.isfinite(array).any() else 0
+        if low in _SENTINELS or low < -_ABSURD:
+            warnings.warn(
+                f"the lowest height is {float(low):g}, which often means a missing post: "
+                f"if it does, give nodata={float(low):g}", stacklevel=3)
+    return array
+
+
+def _metres(spacing: Any) -> list[float]:
+    wanted = "metres between posts above 0: one number, or (dx, dy)"
+    if spacing is None:
+        raise TypeError(f"spacing is missing; give {wanted}")
+    pair = [spacing] * 2 if np.ndim(spacing) == 0 else _check.numbers("spacing", spacing, 2, wanted)
+    return [_check.number("spacing", step, wanted, lambda step: step > 0.0) for step in pair]
+
+
+def _six(transform: Any, rows: int, south: bool) -> list[float]:
+    """GDAL's numbers of the raster whose row 0 is the northern one."""
+    wanted = "rasterio's transform or the six numbers of GDAL's GetGeoTransform"
+    if all(hasattr(transform, part) for part in "abcdef"):  # rasterio's
+        six = [float(getattr(transform, part)) for part in "cabfde"]
+    else:
+        six = _check.numbers("transform", transform, 6, wanted)
+    _, dx, shear, _, turn, dy = six
+    if not np.isfinite(six).all() or shear != 0.0 or turn != 0.0 or dx <= 0.0 or dy == 0.0:
+        raise ValueError(
+            f"transform is {tuple(six)} in GDAL's order (x0, dx, 0, y0, 0, dy); give {wanted}, "
+            "not turned, its columns running east")
+    if (dy > 0.0) != south:
+        order, other = ("south", "north") if dy > 0.0 else ("north", "south")
+        raise ValueError(
+            f"row0 is {other!r}, but the transform's row step is {dy:g}: row 0 is the {order}ern row; "
+            f"give row0={order!r} and the array in that order")
+    if south:
+        six[3] += dy * rows
+        six[5] = -dy
+    return six
+
+
+def _crs_text(crs: Any) -> str:
+    if crs is None:
+        return ""
+    if hasattr(crs, "to_wkt"):
+        return crs.to_wkt()
+    if isinstance(crs, int) and not isinstance(crs, bool):
+        return f"EPSG:{crs}"
+    if not isinstance(crs, str) or not crs.strip():
+        raise TypeError(f"crs is {_short(crs)}; give 'EPSG:25830', WKT, or an EPSG number")
+    return crs
+
+
+def _place(rows: int, columns: int, crs: Any, six: list[float]) -> vtkImageData:
+    """An image with the place that the reader gives a raster of that transform and CRS."""
+    text = _crs_text(crs)
+    raster = "<VRTDataset rasterXSize='%d' rasterYSize='%d'><SRS>%s</SRS><GeoTransform>%s" % (
+        columns, rows, escape(text), ",".join(repr(part) for part in six))
+    raster += "</GeoTransform><VRTRasterBand dataType='Byte' band='1'/></VRTDataset>"
+    reader = vtkHeightFieldReader()
+    reader.SetFileName(raster)
+    try:
+        run(reader)
+    except Error as reason:
+        said = str(reason).replace(f"'{raster}'", "the array").replace(raster, "the array")
+        raise Error(f"{said} (crs {_short(crs)}, transform {tuple(six)})") from None
+    found = reader.GetOutput()
+    if text and found.GetFieldData().GetAbstractArray("CRS") is None:
+        raise ValueError(f"crs is {_short(crs)}, which names no coordinate system; "
+                         "give 'EPSG:25830', WKT, or an EPSG number")
+    image = vtkImageData()
+    image.CopyStructure(found)
+    image.GetFieldData().ShallowCopy(found.GetFieldData())
+    return image
+
+
+def _store(data: vtkDataObject, name: str, values: list[float]) -> None:
+    array = vtkDoubleArray()
+    array.SetName(name)
+    for value in values:
+        array.InsertNextValue(value)
+    data.GetFieldData().AddArray(array)
+
+
+def _to_vtk(values: NDArray[Any]) -> Any:
+    """The array's posts in VTK's order; shares memory where they lie in it so already."""
+    flat = values.reshape((-1,) + values.shape[2:])
+    if not flat.flags.writeable or not flat.flags.c_contiguous:
+        flat = flat.copy()
+    return numpy_to_vtk(flat)

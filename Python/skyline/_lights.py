@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Lights as users write them, made into classes."""
+
+from __future__ import annotations
+
+import math
+import os
+from typing import Any, Iterable
+
+import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkImageData
+
+from . import _check
+from ._images import _numeric, _short, _to_vtk
+from ._run import reported, run
+from .SkylineFilters import (
+    vtkSkylineEnvironmentLight,
+    vtkSkylineKeyLight,
+    vtkSkylineLampLight,
+    vtkSkylineLight,
+    vtkSkylineSunLight,
+)
+from .SkylineIO import vtkLightMapReader
+
+MEAN_SUN_RADIUS = 0.26645  # degrees, as in vtkHeightFieldSunShadow
+LARGEST_SUN = 3.0  # degrees: greater discs are key lights
+_SKIES = "'uniform', 'cie:1' to 'cie:16', 'perez:DIRECT,DIFFUSE' in W/m2, a file's name or a light map"
+
+
+def environment_light(environment: Any, rotation: Any, sun: Any) -> vtkSkylineEnvironmentLight:
+    """The environment of irradiance(); `sun` is (azimuth, elevation) or None."""
+    light = vtkSkylineEnvironmentLight()
+    light.SetRotation(_check.number("rotation", rotation, "degrees"))
+    if isinstance(environment, (str, os.PathLike)):
+        name = os.fspath(environment)
+        kind, _, rest = name.partition(":")
+        if kind in ("cie", "perez"):
+            _set_sky(light, name, kind, rest, sun)
+        elif name != "uniform":
+            reader = vtkLightMapReader()
+            reader.SetFileName(name)
+            run(reader)
+            light.SetImage(reader.GetOutput())
+    elif isinstance(environment, vtkImageData):
+        light.SetImage(environment)
+    else:
+        light.SetImage(_light_map(environment))
+    return light
+
+
+def _set_sky(
+    light: vtkSkylineEnvironmentLight, name: str, kind: str, rest: str, sun: Any
+) -> None:
+    try:
+        given = [float(part) for part in rest.split(",")]
+    except ValueError:
+        given = []
+    if kind == "cie" and len(given) == 1 and given[0] in range(1, 17):
+        light.SetSourceToCie()
+        light.SetCieType(int(given[0]))
+    elif kind == "perez" and len(given) == 2 and given[0] >= 0.0 and given[1] > 0.0:
+        light.SetSourceToPerez()
+        light.SetDirectIrradiance(given[0])
+        light.SetDiffuseIrradiance(given[1])
+    else:
+        raise ValueError(f"environment is {name!r}; give {_SKIES}")
+    if sun is not None:
+        light.SetSunAzimuth(sun[0] - light.GetRotation())
+        light.SetSunElevation(sun[1])
+
+
+def _light_map(pixels: Any) -> vtkImageData:
+    """Rows from the zenith down, centre column north, (rows, 2 rows, 3)."""
+    values = _numeric("environment", pixels)
+    rows, columns = values.shape[:2] if values.ndim == 3 else (0, 0)
+    if rows < 1 or columns != 2 * rows or values.shape[2] != 3:
+        raise ValueError(
+            f"environment has the shape {values.shape}; give (rows, 2 rows, 3), linear RGB, the top "
+            "row the zenith")
+    image = vtkImageData()
+    image.SetDimensions(columns, rows, 1)
+    radiance = _to_vtk(values[::-1].astype(np.float32))
+    radiance.SetName("Radiance")
+    image.GetPointData().SetScalars(radiance)
+    return image
+
+
+def sun_light(direction: list[float], irradiance: Any, radius: Any) -> vtkSkylineLight:
+    """The sun of a direction; a wide disc is a key light of the same irradiance."""
+    rgb = _check.color("sun_irradiance", irradiance)
+    width = check_radius(MEAN_SUN_RADIUS if radius is None else radius)
+    if width > LARGEST_SUN:
+        light = vtkSkylineKeyLight()
+        light.SetRadiance(*(part / (math.pi * math.sin(math.radians(width)) ** 2) for part in rgb))
+    else:
+        light = vtkSkylineSunLight()
+        light.SetIrradiance(*rgb)
+    light.SetAzimuth(direction[0])
+    light.SetElevation(direction[1])
+    light.SetAngularRadius(width)
+    return light
+
+
+def sun_of_time(time: Any, irradiance: Any, radius: Any) -> vtkSkylineSunLight:
+    """The sun of a moment over each post."""
+    light = vtkSkylineSunLight()
+    light.UseTimeOn()
+    light.SetTime(_check.moment(time))
+    light.SetIrradiance(*_check.color("sun_irradiance", irradiance))
+    if radius is not None:
+        light.SetTrueRadius(False)
+        light.SetAngularRadius(_check.number(
+            "radius", radius, "0 to 3 degrees with time", lambda r: 0.0 <= r <= LARGEST_SUN))
+    return light
+
+
+def check_radius(radius: Any) -> float:
+    return _check.number("radius", radius, "0 to below 90 degrees", lambda r: 0.0 <= r < 90.0)
+
+
+def lamp_lights(lamps: Any, terrain: vtkImageData) -> Iterable[vtkSkylineLampLight]:
+    """Lamps (x, y, z, radius) or (x, y, z, radius, red, green, blue)."""
+    wanted = "(x, y, z, radius) in metres, or with red, green and blue after them"
+    if isinstance(lamps, (str, bytes)) or not np.iterable(lamps):
+        raise TypeError(f"lamps is {_short(lamps)}; give a list of {wanted}")
+    for place, lamp in enumerate(lamps):
+        name = f"lamps[{place}]"
+        count = 7 if np.iterable(lamp) and len(lamp) == 7 else 4
+        given = _check.numbers(name, lamp, count, wanted)
+        _check.number(name + "[3]", given[3], "a radius of 0 or more", lambda r: r >= 0.0)
+        light = vtkSkylineLampLight()
+        light.SetPosition(*_in_image(given[0], given[1], terrain), given[2])
+        light.SetRadius(given[3])
+        if count == 7:
+            light.SetRadiance(*_check.color(name + "[4:]", given[4:]))
+        yield light
+
+
+def _in_image(x: float, y: float, terrain: vtkImageData) -> tuple[float, float]:
+    """Coordinates of the CRS as those of the image; without a CRS they are the same."""
+    array = terrain.GetFieldData().GetArray("GeoTransform")
+    if array is None:
+        return x, y
+    x0, dx, _, y0, _, dy = array.GetTuple(0)
+    rows = terrain.GetDimensions()[1]
+    column = (x - x0) / dx - 0.5
+    row = rows - 1 - ((y - y0) / dy - 0.5)
+    origin, spacing = terrain.GetOrigin(), terrain.GetSpacing()
+    return origin[0] + column * spacing[0], origin[1] + row * spacing[1]
+
+
+def find_direction(terrain: vtkImageData, time: str) -> tuple[float, float, float]:
+    light = vtkSkylineSunLight()
+    light.UseTimeOn()
+    light.SetTime(time)
+    found = [0.0, 0.0, 0.0]
+    with reported(light):
+        light.FindDirection(terrain, found)
+    return found[0], found[1], found[2]

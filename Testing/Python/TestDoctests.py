@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The examples in the docstrings of the package give what they show.
+
+Run as `python3 TestDoctests.py SOURCE`: the examples name files from the project's root.
+"""
+
+import doctest
+import inspect
+import os
+import sys
+import typing
+import unittest
+
+import numpy as np
+import skyline
+
+MODULES = [skyline._doors, skyline._images, skyline._check, skyline._lights, skyline._run]
+FUNCTIONS = ["horizon", "sky_view", "sun_visibility", "shadow_height", "irradiance", "sun_position",
+             "read", "write", "to_image", "to_array"]
+
+
+class Doctests(unittest.TestCase):
+    def test_examples(self):
+        tried = 0
+        for module in MODULES:
+            names = dict(vars(module), np=np, skyline=skyline)
+            result = doctest.testmod(module, extraglobs=names, optionflags=doctest.NORMALIZE_WHITESPACE)
+            self.assertEqual(result.failed, 0, module.__name__)
+            tried += result.attempted
+        self.assertGreaterEqual(tried, 20)
+
+    def test_every_function_has_an_example_and_hints(self):
+        for name in FUNCTIONS:
+            function = getattr(skyline, name)
+            self.assertIn(">>>", function.__doc__, name)
+            hints = typing.get_type_hints(function)
+            self.assertEqual(set(hints) - {"return"}, set(inspect.signature(function).parameters))
+            self.assertIn("return", hints)
+        package = os.path.dirname(skyline.__file__)
+        self.assertTrue(os.path.exists(os.path.join(package, "py.typed")))
+
+    def test_the_order_of_rows_comes_first(self):
+        for name in ["horizon", "sky_view", "sun_visibility", "shadow_height", "irradiance", "to_image",
+                     "to_array", "write"]:
+            self.assertIn("NORTH", getattr(skyline, name).__doc__.split("\n")[0], name)
+
+
+if __name__ == "__main__":
+    os.chdir(sys.argv.pop(1))
+    unittest.main()
