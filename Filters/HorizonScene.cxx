@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HorizonScene.h"
 
+#include "HeightPyramid.h"
 #include "Normals.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -46,6 +48,14 @@ double Now()
 {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   return std::chrono::duration<double>(now).count();
+}
+
+// Turns a sum and what is added to it into the next sum, all bits into all bits.
+std::uint64_t Mixed(std::uint64_t sum, std::uint64_t value)
+{
+  constexpr std::uint64_t odd = 0x9e3779b97f4a7c15; // 2^64 over the golden ratio
+  const std::uint64_t product = (sum ^ value) * odd;
+  return product ^ (product >> 32);
 }
 
 // Calls f(height) with a height(column, row) that reads the array in its own type.
@@ -88,6 +98,7 @@ HorizonScene::HorizonScene(vtkImageData* image, vtkDataArray* heights, const Opt
   , Where(LoadGeoreference(image))
   , Field(GridOf(image))
   , Settings(options.Settings)
+  , Kept(options.Kept)
 {
   const Grid& grid = this->Field.Posts();
   double range[2] = { 0.0, 0.0 };
@@ -117,9 +128,62 @@ HorizonScene::HorizonScene(vtkImageData* image, vtkDataArray* heights, const Opt
   this->Bands = RowBands(this->Where, PostSpacing{ grid.SpacingX, grid.SpacingY }, BandTolerance);
 }
 
+std::uint64_t HorizonScene::Fingerprint()
+{
+  if (this->Heights64 == 0)
+  {
+    const Grid& grid = this->Field.Posts();
+    std::vector<std::uint64_t> rows(static_cast<std::size_t>(grid.Rows));
+    vtkSMPTools::For(0, grid.Rows,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        std::vector<float> buffer;
+        for (vtkIdType row = begin; row < end; ++row)
+        {
+          const float* line = this->Field.Receivers(false, row, buffer);
+          std::uint64_t sum = static_cast<std::uint64_t>(grid.Columns);
+          for (std::ptrdiff_t column = 0; column < grid.Columns; ++column)
+          {
+            std::uint32_t bits = 0;
+            std::memcpy(&bits, line + column, sizeof(bits));
+            sum = Mixed(sum, bits);
+          }
+          rows[static_cast<std::size_t>(row)] = sum;
+        }
+      });
+    for (const std::uint64_t row : rows)
+    {
+      this->Heights64 = Mixed(this->Heights64, row);
+    }
+    this->Heights64 |= 1; // 0: not yet asked for
+  }
+  return this->Heights64;
+}
+
+std::shared_ptr<const HeightPyramid> HorizonScene::PyramidOfHeights()
+{
+  const double step = this->Settings.Pyramid.LevelStep;
+  if (!this->Kept->Pyramid || this->Kept->LevelStep != step ||
+    this->Kept->Heights != this->Fingerprint())
+  {
+    const double start = Now();
+    this->Kept->Pyramid = nullptr; // its memory first
+    const auto pyramid = std::make_shared<HeightPyramid>(this->Field, step);
+    vtkSMPTools::For(
+      0, pyramid->RowCount(), [&](vtkIdType begin, vtkIdType end) { pyramid->Expand(begin, end); });
+    *this->Kept = { this->Fingerprint(), step, pyramid };
+    ++this->PyramidBuilds;
+    this->PrepareSeconds += Now() - start;
+  }
+  return this->Kept->Pyramid;
+}
+
 bool HorizonScene::Run(const std::vector<double>& azimuths, double width, Accumulator& consumer)
 {
-  return this->Run(*MakeHorizonMethod(this->Field, this->Settings), azimuths, width, consumer);
+  const bool keep = this->Kept && this->Settings.Method == HorizonMethodKind::Pyramid;
+  const auto method =
+    MakeHorizonMethod(this->Field, this->Settings, keep ? this->PyramidOfHeights() : nullptr);
+  return this->Run(*method, azimuths, width, consumer);
 }
 
 bool HorizonScene::Run(

@@ -9,7 +9,9 @@
 #include "HorizonMethod.h"
 #include "RowSpacing.h"
 
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 class vtkDataArray;
@@ -18,6 +20,14 @@ class vtkImageData;
 
 namespace skyline
 {
+
+/// A pyramid with all of its rows built, kept between executions as long as the heights are the same.
+struct KeptPyramid
+{
+  std::uint64_t Heights = 0; ///< HorizonScene::Fingerprint
+  double LevelStep = 0.0;
+  std::shared_ptr<const HeightPyramid> Pyramid;
+};
 
 /// Built from a filter's input; throws std::invalid_argument with a one-line reason if that carries
 /// no surface. The image must outlive it.
@@ -29,6 +39,7 @@ public:
     HorizonSettings Settings; ///< Sink is set here, from the georeference
     bool Flat = false;
     double Refraction = 0.0;
+    KeptPyramid* Kept = nullptr; ///< outlives the scene; null: a pyramid is built for each run
   };
   HorizonScene(vtkImageData* image, vtkDataArray* heights, const Options& options);
 
@@ -58,13 +69,18 @@ public:
   const Grid& Posts() const { return this->Field.Posts(); }
   const Georeference& Place() const { return this->Where; }
   const HeightField& PreparedField() const { return this->Field; } ///< heights above MeanHeight
+  /// Names the heights, missing ones included: other heights, another number.
+  std::uint64_t Fingerprint();
+
   const HorizonSettings& UsedSettings() const { return this->Settings; }
   const std::vector<RowBand>& BandsOfRows() const { return this->Bands; } ///< one spacing each
   double MeanHeight() const { return this->Mean; } ///< metres, halfway between lowest and highest
 
   double PrepareSeconds = 0.0, SearchSeconds = 0.0; ///< of all runs
+  int PyramidBuilds = 0;
 
 private:
+  std::shared_ptr<const HeightPyramid> PyramidOfHeights();
   void FindBand(const HorizonMethod& method, const RowBand& band, Accumulator& consumer) const;
   void FindRows(const HorizonMethod& method, const RowBand& band, Accumulator& consumer) const;
   void FindColumns(const HorizonMethod& method, const RowBand& band, Accumulator& consumer) const;
@@ -75,6 +91,8 @@ private:
   HorizonSettings Settings;
   std::vector<RowBand> Bands;
   double Mean = 0.0;
+  KeptPyramid* Kept = nullptr;
+  std::uint64_t Heights64 = 0; // once asked for
 };
 
 } // namespace skyline

@@ -12,6 +12,13 @@
 
 #include <exception>
 
+vtkHeightFieldAlgorithm::vtkHeightFieldAlgorithm()
+  : Kept(std::make_unique<skyline::KeptPyramid>())
+{
+}
+
+vtkHeightFieldAlgorithm::~vtkHeightFieldAlgorithm() = default;
+
 void vtkHeightFieldAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -25,7 +32,8 @@ void vtkHeightFieldAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "LevelDistance: " << this->LevelDistance << "\n"
      << indent << "LevelSpline: " << this->LevelSpline << "\n"
      << indent << "PrepareSeconds: " << this->PrepareSeconds << "\n"
-     << indent << "SearchSeconds: " << this->SearchSeconds << "\n";
+     << indent << "SearchSeconds: " << this->SearchSeconds << "\n"
+     << indent << "PyramidBuilds: " << this->PyramidBuilds << "\n";
 }
 
 int vtkHeightFieldAlgorithm::FillInputPortInformation(int, vtkInformation* info)
@@ -76,6 +84,11 @@ int vtkHeightFieldAlgorithm::RequestData(
       this->LevelSpline };
     options.Flat = this->Flat;
     options.Refraction = this->RefractionCoefficient;
+    if (this->Method != PYRAMID)
+    {
+      this->Kept->Pyramid = nullptr;
+    }
+    options.Kept = this->Kept.get();
     skyline::HorizonScene scene(input, heights, options);
     scene.Progress = [this](double part)
     {
@@ -90,6 +103,7 @@ int vtkHeightFieldAlgorithm::RequestData(
     const bool finished = this->Compute(scene, output);
     this->PrepareSeconds = scene.PrepareSeconds;
     this->SearchSeconds = scene.SearchSeconds;
+    this->PyramidBuilds = scene.PyramidBuilds;
     if (!finished)
     {
       output->Initialize();

@@ -17,12 +17,14 @@
 #include "SkylineFiltersModule.h"
 #include "vtkImageAlgorithm.h"
 
+#include <memory> // For Kept
 #include <string>
 
 namespace skyline
 {
 class HorizonScene;
-}
+struct KeptPyramid;
+} // namespace skyline
 class vtkImageData;
 
 class SKYLINEFILTERS_EXPORT vtkHeightFieldAlgorithm : public vtkImageAlgorithm
@@ -103,9 +105,13 @@ public:
   vtkGetMacro(PrepareSeconds, double);
   vtkGetMacro(SearchSeconds, double);
 
+  /// Pyramids that the last execution built (PYRAMID). Heights that did not change keep theirs, as long
+  /// as the method is PYRAMID.
+  vtkGetMacro(PyramidBuilds, int);
+
 protected:
-  vtkHeightFieldAlgorithm() = default;
-  ~vtkHeightFieldAlgorithm() override = default;
+  vtkHeightFieldAlgorithm();
+  ~vtkHeightFieldAlgorithm() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(
@@ -128,10 +134,13 @@ protected:
   bool LevelSpline = true;
   double PrepareSeconds = 0.0;
   double SearchSeconds = 0.0;
+  int PyramidBuilds = 0;
 
 private:
   vtkHeightFieldAlgorithm(const vtkHeightFieldAlgorithm&) = delete;
   void operator=(const vtkHeightFieldAlgorithm&) = delete;
+
+  std::unique_ptr<skyline::KeptPyramid> Kept;
 };
 
 #endif

@@ -2,6 +2,7 @@
 #include "vtkHeightFieldIrradiance.h"
 
 #include "Azimuths.h"
+#include "HarmonicBands.h"
 #include "HarmonicLight.h"
 #include "HorizonScene.h"
 #include "LightAzimuths.h"
@@ -22,6 +23,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <deque>
 #include <stdexcept>
 #include <vector>
@@ -158,16 +160,18 @@ std::vector<double> vtkHeightFieldIrradiance::SurfaceKey(
   skyline::HorizonScene& scene, vtkImageData* image)
 {
   const skyline::Grid& grid = scene.Posts();
-  vtkMTimeType time = this->GetInputArrayToProcess(0, image)->GetMTime();
+  const std::uint64_t heights = scene.Fingerprint();
+  vtkMTimeType time = 0;
   vtkFieldData* place = image->GetFieldData();
   for (int i = 0; i < place->GetNumberOfArrays(); ++i)
   {
     time = std::max(time, place->GetAbstractArray(i)->GetMTime());
   }
-  return { static_cast<double>(time), static_cast<double>(grid.Columns),
-    static_cast<double>(grid.Rows), grid.SpacingX, grid.SpacingY, 1.0 * this->Method,
-    1.0 * this->Surface, this->Flat ? 1.0 : 0.0, this->RefractionCoefficient, this->Tolerance,
-    this->LevelStep, this->LevelOffset, this->LevelDistance, this->LevelSpline ? 1.0 : 0.0 };
+  return { static_cast<double>(heights >> 32), static_cast<double>(heights & 0xffffffffu),
+    static_cast<double>(time), static_cast<double>(grid.Columns), static_cast<double>(grid.Rows),
+    grid.SpacingX, grid.SpacingY, 1.0 * this->Method, 1.0 * this->Surface, this->Flat ? 1.0 : 0.0,
+    this->RefractionCoefficient, this->Tolerance, this->LevelStep, this->LevelOffset,
+    this->LevelDistance, this->LevelSpline ? 1.0 : 0.0 };
 }
 
 bool vtkHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageData* output)
@@ -175,6 +179,10 @@ bool vtkHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageDat
   using namespace skyline;
   this->SearchedAzimuths = this->EnvironmentPasses = this->SunPasses = this->LampPasses = 0;
   EvenAzimuths(this->NumberOfAzimuths); // throws for numbers out of range
+  if (this->LightMethod == HARMONICS)
+  {
+    CheckHarmonicBands(this->HarmonicBands);
+  }
   SortedLights lights;
   for (vtkSkylineLight* light : this->Internals->Lights)
   {
@@ -206,7 +214,7 @@ bool vtkHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageDat
 
   const bool finished = this->LightMethod == HARMONICS ? AddHarmonics(scene, lights, surface, posts)
                                                        : AddTables(scene, lights, posts);
-  this->SearchedAzimuths = cache.Searched;
+  this->SearchedAzimuths += cache.Searched;
   if (!finished || !AddLamps(scene, lights, output, posts))
   {
     return false;

@@ -92,7 +92,7 @@ public:
 
   ///@{
   /// Bands of HARMONICS, 2 to 8; default 4.
-  vtkSetClampMacro(HarmonicBands, int, 2, 8);
+  vtkSetMacro(HarmonicBands, int);
   vtkGetMacro(HarmonicBands, int);
   ///@}
 

@@ -2,6 +2,7 @@
 #include "vtkHeightFieldVisibility.h"
 
 #include "Azimuths.h"
+#include "HarmonicBands.h"
 #include "HorizonScene.h"
 #include "KeyLight.h"
 #include "VisibilityAccumulator.h"
@@ -64,13 +65,7 @@ bool vtkHeightFieldVisibility::Compute(skyline::HorizonScene& scene, vtkImageDat
 bool vtkHeightFieldVisibility::Project(
   skyline::HorizonScene& scene, vtkImageData* output, const char* name, bool withCosine)
 {
-  constexpr int least = 2;
-  if (this->NumberOfBands < least || this->NumberOfBands > skyline::MaxHarmonicBands)
-  {
-    throw std::invalid_argument(std::to_string(this->NumberOfBands) +
-      " bands of spherical harmonics; give " + std::to_string(least) + " to " +
-      std::to_string(skyline::MaxHarmonicBands));
-  }
+  skyline::CheckHarmonicBands(this->NumberOfBands);
   const std::vector<double> azimuths =
     AzimuthsInDegrees(this->SwathAzimuth, this->SwathWidth, this->NumberOfAzimuths);
   const double width =

@@ -65,7 +65,7 @@ TwinExact::TwinExact(TwinDevice& device, const TwinLimits& limits)
 {
 }
 
-void TwinExact::Load(const HeightField& field, const HorizonSettings& settings)
+bool TwinExact::Load(const HeightField& field, std::uint64_t, const HorizonSettings& settings)
 {
   if (!this->Pass)
   {
@@ -102,6 +102,7 @@ void TwinExact::Load(const HeightField& field, const HorizonSettings& settings)
       this->Sheets.push_back(sheet);
     }
   }
+  return false;
 }
 
 void TwinExact::LoadTile(const TwinArea& tile)

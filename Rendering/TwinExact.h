@@ -18,7 +18,8 @@ class TwinExact : public TwinHorizons
 public:
   TwinExact(TwinDevice& device, const TwinLimits& limits);
 
-  void Load(const HeightField& field, const HorizonSettings& settings) override;
+  bool Load(
+    const HeightField& field, std::uint64_t heights, const HorizonSettings& settings) override;
   int TileSide() const override { return this->Side; }
   void Find(const TwinArea& tile, const TwinArea& area, const Grid& grid,
     const std::vector<double>& azimuths, vtkTextureObject* horizons) override;

@@ -4,6 +4,8 @@
 #include "HorizonScene.h"
 #include "SphericalHarmonics.h"
 
+#include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkTextureObject.h"
 
 #include <cstddef>
@@ -12,10 +14,15 @@
 namespace skyline
 {
 
-void TwinFilter::SetDevice(vtkOpenGLHeightFieldDevice* device)
+bool TwinFilter::SetDevice(vtkOpenGLHeightFieldDevice* device)
 {
+  if (!device || device == this->Device)
+  {
+    return false;
+  }
   this->Harmonics.reset(); // before its device goes
   this->Device = device;
+  return true;
 }
 
 bool TwinFilter::Ready()
@@ -25,7 +32,7 @@ bool TwinFilter::Ready()
 }
 
 bool TwinFilter::Attempt(
-  HorizonScene& scene, std::string& reason, const std::function<void()>& compute)
+  vtkObject* filter, HorizonScene& scene, const std::function<void()>& compute)
 {
   this->OnDevice = this->Filled = this->OneTile = false;
   if (!TwinHarmonics::Unknown(scene.UsedSettings()).empty())
@@ -38,7 +45,7 @@ bool TwinFilter::Attempt(
     // What goes with them may have made another context current.
     if (!this->Device->IsAvailable())
     {
-      this->Tell(this->Device->GetReason(), reason);
+      this->Tell(filter, this->Device->GetReason());
       return false;
     }
     this->Harmonics = std::make_unique<TwinHarmonics>(this->Device->Twin(), this->Device->Limits());
@@ -58,16 +65,16 @@ bool TwinFilter::Attempt(
   {
     this->Harmonics.reset();
     this->OneTile = this->Filled = false;
-    this->Tell(error.what(), reason);
+    this->Tell(filter, error.what());
     return false;
   }
 }
 
 bool TwinFilter::Run(
-  HorizonScene& scene, TwinHarmonics::Task task, bool readBack, bool& finished, std::string& reason)
+  vtkObject* filter, HorizonScene& scene, TwinHarmonics::Task task, bool readBack, bool& finished)
 {
   this->Values.clear();
-  return this->Attempt(scene, reason,
+  return this->Attempt(filter, scene,
     [&]()
     {
       if (!readBack && this->OneTile)
@@ -85,11 +92,11 @@ bool TwinFilter::Run(
     });
 }
 
-bool TwinFilter::Store(HorizonScene& scene, const std::vector<double>& azimuths, float* degrees,
-  bool& finished, std::string& reason)
+bool TwinFilter::Store(vtkObject* filter, HorizonScene& scene, const std::vector<double>& azimuths,
+  float* degrees, bool& finished)
 {
   return this->Attempt(
-    scene, reason, [&]() { finished = this->Harmonics->Store(scene, azimuths, degrees); });
+    filter, scene, [&]() { finished = this->Harmonics->Store(scene, azimuths, degrees); });
 }
 
 vtkTextureObject* TwinFilter::Image(int index) const
@@ -103,10 +110,22 @@ vtkTextureObject* TwinFilter::Image(int index) const
   return image->GetHandle() != 0 ? image : nullptr;
 }
 
-void TwinFilter::Tell(const std::string& why, std::string& reason)
+void TwinFilter::RemoveUnread(vtkImageData* output, const char* name) const
 {
-  reason = why == this->Told ? "" : why;
-  this->Told = why;
+  if (this->OnDevice && !this->Filled)
+  {
+    output->GetPointData()->RemoveArray(name);
+  }
+}
+
+void TwinFilter::Tell(vtkObject* filter, const std::string& reason)
+{
+  if (reason != this->Told)
+  {
+    vtkErrorWithObjectMacro(
+      filter, "the host computes in place of the graphics processor: " << reason);
+  }
+  this->Told = reason;
 }
 
 } // namespace skyline

@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+class vtkImageData;
+
 namespace skyline
 {
 
@@ -28,16 +30,20 @@ public:
   bool Timed = false;        ///< measure
   std::vector<float> Values; ///< of tiles, where the filter has no place for them
 
-  void SetDevice(vtkOpenGLHeightFieldDevice* device);
+  /// Whether it is another one.
+  bool SetDevice(vtkOpenGLHeightFieldDevice* device);
 
-  /// False if the host has to compute: `reason` says why, once; it is empty where that is no error.
+  /// False if the host has to compute; where that is an error, the filter reports it, once.
   /// task.Values (null: Values) is filled if readBack, or if one texture does not hold the field.
-  bool Run(HorizonScene& scene, TwinHarmonics::Task task, bool readBack, bool& finished,
-    std::string& reason);
+  bool Run(vtkObject* filter, HorizonScene& scene, TwinHarmonics::Task task, bool readBack,
+    bool& finished);
 
   /// Likewise: horizons in degrees.
-  bool Store(HorizonScene& scene, const std::vector<double>& azimuths, float* degrees,
-    bool& finished, std::string& reason);
+  bool Store(vtkObject* filter, HorizonScene& scene, const std::vector<double>& azimuths,
+    float* degrees, bool& finished);
+
+  /// Takes an array off an output if nobody read its values back.
+  void RemoveUnread(vtkImageData* output, const char* name) const;
 
   vtkTextureObject* Image(int index) const;
   TwinHarmonics* Passes() const { return this->Harmonics.get(); }
@@ -46,8 +52,8 @@ public:
   bool Ready();
 
 private:
-  bool Attempt(HorizonScene& scene, std::string& reason, const std::function<void()>& compute);
-  void Tell(const std::string& why, std::string& reason);
+  bool Attempt(vtkObject* filter, HorizonScene& scene, const std::function<void()>& compute);
+  void Tell(vtkObject* filter, const std::string& reason);
 
   std::unique_ptr<TwinHarmonics> Harmonics;
   int Generation = 0;

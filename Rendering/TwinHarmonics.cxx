@@ -219,7 +219,9 @@ bool TwinHarmonics::FitsOneTile(HorizonScene& scene)
     {
       scene.Transpose();
     }
-    this->Horizons->Load(scene.PreparedField(), settings);
+    const bool pyramid = settings.Method == HorizonMethodKind::Pyramid;
+    const std::uint64_t heights = pyramid ? scene.Fingerprint() : 0;
+    scene.PyramidBuilds += this->Horizons->Load(scene.PreparedField(), heights, settings) ? 1 : 0;
   }
   this->Side = std::min(this->Horizons->TileSide(), this->Device.ImageLimit());
   this->Side = this->Limits.Side > 0 ? std::min(this->Side, this->Limits.Side) : this->Side;

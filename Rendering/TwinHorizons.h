@@ -8,6 +8,7 @@
 #include "HorizonMethod.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,8 +31,10 @@ public:
 
   virtual ~TwinHorizons() = default;
 
-  /// A new surface, which outlives the calls that follow. What does not depend on the heights stays.
-  virtual void Load(const HeightField& field, const HorizonSettings& settings) = 0;
+  /// A surface, which outlives the calls that follow. heights: names its heights. What they do not
+  /// change stays. Returns whether a pyramid was built.
+  virtual bool Load(
+    const HeightField& field, std::uint64_t heights, const HorizonSettings& settings) = 0;
 
   /// Greatest side of the tiles that Find fills.
   virtual int TileSide() const = 0;

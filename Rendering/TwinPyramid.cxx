@@ -62,7 +62,8 @@ TwinPyramid::TwinPyramid(TwinDevice& device, const TwinLimits& limits)
 {
 }
 
-void TwinPyramid::Load(const HeightField& field, const HorizonSettings& settings)
+bool TwinPyramid::Load(
+  const HeightField& field, std::uint64_t heights, const HorizonSettings& settings)
 {
   CheckPyramidSettings(settings.Pyramid);
   const Grid& grid = field.Posts();
@@ -71,10 +72,16 @@ void TwinPyramid::Load(const HeightField& field, const HorizonSettings& settings
     this->Components != (field.HasMissing() ? 2 : 1) || before.LevelStep != now.LevelStep ||
     before.LevelOffset != now.LevelOffset || before.Spline != now.Spline)
   {
+    this->Heights = 0;
     this->Resize(field, settings);
   }
   this->Settings = settings;
   this->TileX = this->TileY = -1;
+  if (heights == this->Heights)
+  {
+    return false;
+  }
+  this->Heights = 0; // until all is there
   if (this->Whole)
   {
     this->BuildWhole(field);
@@ -83,6 +90,8 @@ void TwinPyramid::Load(const HeightField& field, const HorizonSettings& settings
   {
     this->Host = std::make_unique<HeightPyramid>(field, settings.Pyramid.LevelStep);
   }
+  this->Heights = heights;
+  return true;
 }
 
 void TwinPyramid::Resize(const HeightField& field, const HorizonSettings& settings)

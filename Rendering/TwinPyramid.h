@@ -21,7 +21,8 @@ class TwinPyramid : public TwinHorizons
 public:
   TwinPyramid(TwinDevice& device, const TwinLimits& limits);
 
-  void Load(const HeightField& field, const HorizonSettings& settings) override;
+  bool Load(
+    const HeightField& field, std::uint64_t heights, const HorizonSettings& settings) override;
   int TileSide() const override { return this->Side; }
   void Find(const TwinArea& tile, const TwinArea& area, const Grid& grid,
     const std::vector<double>& azimuths, vtkTextureObject* horizons) override;
@@ -47,6 +48,7 @@ private:
   TwinDevice& Device;
   TwinLimits Limits;
   HorizonSettings Settings;
+  std::uint64_t Heights = 0; // of the pyramid that is there; 0: none
   std::ptrdiff_t Columns = 0, Rows = 0;
   int Components = 0; // 2 with missing posts: heights times coverage, and coverage
   bool Whole = false;

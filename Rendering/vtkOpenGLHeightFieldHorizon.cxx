@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOpenGLHeightFieldHorizon.h"
 
-#include "HorizonScene.h"
 #include "TwinFilter.h"
 
 #include "vtkObjectFactory.h"
@@ -25,9 +24,8 @@ void vtkOpenGLHeightFieldHorizon::PrintSelf(ostream& os, vtkIndent indent)
 
 void vtkOpenGLHeightFieldHorizon::SetDevice(vtkOpenGLHeightFieldDevice* device)
 {
-  if (device && device != this->Twin->Device)
+  if (this->Twin->SetDevice(device))
   {
-    this->Twin->SetDevice(device);
     this->Modified();
   }
 }
@@ -50,15 +48,8 @@ vtkMTimeType vtkOpenGLHeightFieldHorizon::GetMTime()
 bool vtkOpenGLHeightFieldHorizon::Store(
   skyline::HorizonScene& scene, const std::vector<double>& azimuths, float* values)
 {
-  std::string reason;
   bool finished = false;
-  if (this->Twin->Store(scene, azimuths, values, finished, reason))
-  {
-    return finished;
-  }
-  if (!reason.empty())
-  {
-    vtkErrorMacro("the host computes in place of the graphics processor: " << reason);
-  }
-  return this->Superclass::Store(scene, azimuths, values);
+  return this->Twin->Store(this, scene, azimuths, values, finished)
+    ? finished
+    : this->Superclass::Store(scene, azimuths, values);
 }

@@ -44,7 +44,7 @@ void vtkOpenGLHeightFieldIrradiance::SetDevice(vtkOpenGLHeightFieldDevice* devic
 {
   if (device && device != this->Inside->Twin.Device)
   {
-    this->Inside->Lit = nullptr;
+    this->Inside->Lit = nullptr; // before its device goes
     this->Inside->Key.clear();
     this->Inside->Twin.SetDevice(device);
     this->Modified();
@@ -136,17 +136,13 @@ bool vtkOpenGLHeightFieldIrradiance::LightByHarmonics(skyline::HorizonScene& sce
     task.Width = 2.0 * Pi / this->NumberOfAzimuths;
     task.East = this->Horizontal ? level.data() : posts.East;
     task.North = this->Horizontal ? level.data() : posts.North;
-    std::string reason;
     bool finished = false;
-    if (!twin.Run(scene, task, false, finished, reason))
+    if (!twin.Run(this, scene, task, false, finished))
     {
-      if (!reason.empty())
-      {
-        vtkErrorMacro("the host computes in place of the graphics processor: " << reason);
-      }
       return this->Superclass::LightByHarmonics(scene, light, key, posts);
     }
     ++this->EnvironmentPasses;
+    this->SearchedAzimuths += this->NumberOfAzimuths;
     if (!finished)
     {
       return false;

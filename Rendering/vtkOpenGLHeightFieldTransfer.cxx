@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOpenGLHeightFieldTransfer.h"
 
-#include "HorizonScene.h"
 #include "TwinFilter.h"
 
-#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 
 #include <algorithm>
 
@@ -28,9 +25,8 @@ void vtkOpenGLHeightFieldTransfer::PrintSelf(ostream& os, vtkIndent indent)
 
 void vtkOpenGLHeightFieldTransfer::SetDevice(vtkOpenGLHeightFieldDevice* device)
 {
-  if (device && device != this->Twin->Device)
+  if (this->Twin->SetDevice(device))
   {
-    this->Twin->SetDevice(device);
     this->Modified();
   }
 }
@@ -58,10 +54,7 @@ vtkMTimeType vtkOpenGLHeightFieldTransfer::GetMTime()
 bool vtkOpenGLHeightFieldTransfer::Compute(skyline::HorizonScene& scene, vtkImageData* output)
 {
   const bool finished = this->Superclass::Compute(scene, output);
-  if (finished && this->Twin->OnDevice && !this->Twin->Filled)
-  {
-    output->GetPointData()->RemoveArray("TransferSH");
-  }
+  this->Twin->RemoveUnread(output, "TransferSH");
   return finished;
 }
 
@@ -69,22 +62,9 @@ bool vtkOpenGLHeightFieldTransfer::Sum(skyline::HorizonScene& scene,
   const std::vector<double>& azimuths, double width, const float* east, const float* north,
   float* values)
 {
-  skyline::TwinHarmonics::Task task;
-  task.Bands = this->NumberOfBands;
-  task.Azimuths = &azimuths;
-  task.Width = width;
-  task.East = east;
-  task.North = north;
-  task.Values = values;
-  std::string reason;
   bool finished = false;
-  if (this->Twin->Run(scene, task, this->ReadBack, finished, reason))
-  {
-    return finished;
-  }
-  if (!reason.empty())
-  {
-    vtkErrorMacro("the host computes in place of the graphics processor: " << reason);
-  }
-  return this->Superclass::Sum(scene, azimuths, width, east, north, values);
+  return this->Twin->Run(this, scene,
+           { this->NumberOfBands, &azimuths, width, east, north, values }, this->ReadBack, finished)
+    ? finished
+    : this->Superclass::Sum(scene, azimuths, width, east, north, values);
 }

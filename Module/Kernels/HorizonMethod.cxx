@@ -7,12 +7,13 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace skyline
 {
 
-std::unique_ptr<HorizonMethod> MakeHorizonMethod(
-  const HeightField& field, const HorizonSettings& settings)
+std::unique_ptr<HorizonMethod> MakeHorizonMethod(const HeightField& field,
+  const HorizonSettings& settings, std::shared_ptr<const HeightPyramid> pyramid)
 {
   if (!(settings.Tolerance >= 0.0))
   {
@@ -34,7 +35,7 @@ std::unique_ptr<HorizonMethod> MakeHorizonMethod(
         throw std::invalid_argument(
           "the pyramid smooths the posts: it knows no other surface; use exact or fast");
       }
-      return std::make_unique<HorizonPyramid>(field, chosen);
+      return std::make_unique<HorizonPyramid>(field, chosen, std::move(pyramid));
     case HorizonMethodKind::Fast:
       chosen.Tolerance = std::max(settings.Tolerance, FastTolerance);
       break;

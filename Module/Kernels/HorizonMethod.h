@@ -15,6 +15,8 @@
 namespace skyline
 {
 
+class HeightPyramid;
+
 enum class HorizonMethodKind
 {
   Exact,  ///< every edge that can matter, the others skipped under bounds
@@ -67,10 +69,10 @@ protected:
 };
 
 /// The method of the settings over a closed field, which must outlive it and be transposed before an
-/// azimuth whose frame takes columns.
+/// azimuth whose frame takes columns. pyramid: as HorizonPyramid takes it; of Pyramid alone.
 /// std::invalid_argument for a surface that the method does not know.
-std::unique_ptr<HorizonMethod> MakeHorizonMethod(
-  const HeightField& field, const HorizonSettings& settings);
+std::unique_ptr<HorizonMethod> MakeHorizonMethod(const HeightField& field,
+  const HorizonSettings& settings, std::shared_ptr<const HeightPyramid> pyramid = nullptr);
 
 } // namespace skyline
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "hwy/contrib/math/math-inl.h"
 #include "hwy/highway.h"
@@ -419,9 +420,11 @@ std::vector<PyramidReach> PyramidReaches(const std::vector<PyramidSize>& levels,
   return reaches;
 }
 
-HorizonPyramid::HorizonPyramid(const HeightField& field, const HorizonSettings& settings)
+HorizonPyramid::HorizonPyramid(const HeightField& field, const HorizonSettings& settings,
+  std::shared_ptr<const HeightPyramid> pyramid)
   : Settings(settings)
-  , Pyramid(field, settings.Pyramid.LevelStep)
+  , Own(pyramid ? nullptr : std::make_shared<HeightPyramid>(field, settings.Pyramid.LevelStep))
+  , Pyramid(pyramid ? std::move(pyramid) : this->Own)
   , Columns(field.Posts().Columns)
   , Rows(field.Posts().Rows)
 {
@@ -432,13 +435,13 @@ HorizonPyramid::HorizonPyramid(const HeightField& field, const HorizonSettings& 
 
 void HorizonPyramid::SetAzimuth(const Grid& grid, double azimuth)
 {
-  this->Pieces = this->Reach.empty() ? this->Pyramid.RowCount() : 0;
-  this->Reach = PyramidReaches(this->Pyramid, this->Settings.Pyramid, grid, azimuth);
+  this->Pieces = this->Own && this->Reach.empty() ? this->Pyramid->RowCount() : 0;
+  this->Reach = PyramidReaches(*this->Pyramid, this->Settings.Pyramid, grid, azimuth);
 }
 
 void HorizonPyramid::Prepare(std::ptrdiff_t begin, std::ptrdiff_t end)
 {
-  this->Pyramid.Expand(begin, end);
+  this->Own->Expand(begin, end);
 }
 
 void HorizonPyramid::Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd,
@@ -451,11 +454,11 @@ void HorizonPyramid::Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd,
     std::transform(this->Reach.begin(), this->Reach.end(), tasks.begin(),
       [&](const PyramidReach& reach)
       {
-        return TaskOf(this->Pyramid, reach, this->Settings.Sink, this->Columns, this->Rows,
+        return TaskOf(*this->Pyramid, reach, this->Settings.Sink, this->Columns, this->Rows,
           this->Ray->ImageLine(line));
       });
     HWY_DYNAMIC_DISPATCH(FindLine)
-    (tasks, this->Pyramid.HasMissing(), this->Settings.Pyramid.Spline, laneBegin, whole,
+    (tasks, this->Pyramid->HasMissing(), this->Settings.Pyramid.Spline, laneBegin, whole,
       slopes + (line - lineBegin) * stride);
   }
 }

@@ -6,6 +6,7 @@
 #include "HeightPyramid.h"
 #include "HorizonMethod.h"
 
+#include <memory>
 #include <vector>
 
 namespace skyline
@@ -30,7 +31,9 @@ struct PyramidReach
 class HorizonPyramid : public HorizonMethod
 {
 public:
-  HorizonPyramid(const HeightField& field, const HorizonSettings& settings);
+  /// pyramid: one of the same heights and level step with all of its rows built; null: one is built.
+  HorizonPyramid(const HeightField& field, const HorizonSettings& settings,
+    std::shared_ptr<const HeightPyramid> pyramid = nullptr);
 
   void SetAzimuth(const Grid& grid, double azimuth) override;
   std::ptrdiff_t PrepareCount() const override { return this->Pieces; }
@@ -38,13 +41,14 @@ public:
   void Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd, std::ptrdiff_t laneBegin,
     std::ptrdiff_t laneEnd, float* slopes, std::ptrdiff_t stride) const override;
 
-  const HeightPyramid& Heights() const { return this->Pyramid; }
+  const HeightPyramid& Heights() const { return *this->Pyramid; }
 
 private:
   HorizonSettings Settings;
-  HeightPyramid Pyramid;
+  std::shared_ptr<HeightPyramid> Own; // null: somebody else's
+  std::shared_ptr<const HeightPyramid> Pyramid;
   std::ptrdiff_t Columns, Rows;
-  std::ptrdiff_t Pieces = 0; // the pyramid's rows, for the first azimuth alone
+  std::ptrdiff_t Pieces = 0; // the own pyramid's rows, for the first azimuth alone
   std::vector<PyramidReach> Reach;
 };
 

@@ -227,6 +227,41 @@ TEST(Irradiance, OnlyWhatIsLitIsComputed)
   EXPECT_EQ(lit.Filter->GetSearchedAzimuths(), shadow->GetSearchedAzimuths()); // the sun's swath
 }
 
+TEST(Irradiance, LightsShareThePyramid)
+{
+  vtkNew<vtkSkylineKeyLight> key, other;
+  vtkNew<vtkSkylineEnvironmentLight> sky;
+  key->SetAngularRadius(2.0);
+  other->SetAngularRadius(1.0);
+  other->SetAzimuth(20.0);
+  Lit lit(Terrain(), key);
+  lit.Filter->AddLight(other);
+  lit.Filter->AddLight(sky);
+  lit.Filter->SetMethodToPyramid();
+  lit.Filter->Update();
+  EXPECT_EQ(lit.Filter->GetSunPasses(), 2);
+  EXPECT_EQ(lit.Filter->GetPyramidBuilds(), 1);
+  key->SetAzimuth(300.0);
+  lit.Filter->Update();
+  EXPECT_EQ(lit.Filter->GetSunPasses(), 2);
+  EXPECT_EQ(lit.Filter->GetPyramidBuilds(), 0);
+}
+
+TEST(Irradiance, ChangedHeightsAreNoticedWhoeverIsTold)
+{
+  // Heights written in place, as from Python, with no word to their array.
+  const auto terrain = Terrain();
+  vtkNew<vtkSkylineEnvironmentLight> sky;
+  Lit lit(terrain, sky);
+  lit.Filter->SetLightMethodToHarmonics();
+  lit.Filter->SetNumberOfAzimuths(16);
+  const std::vector<float> before = lit.All();
+  vtkFloatArray::SafeDownCast(terrain->GetPointData()->GetScalars())->GetPointer(0)[500] += 50.0f;
+  terrain->Modified();
+  EXPECT_NE(lit.All(), before);
+  EXPECT_EQ(lit.Filter->GetSearchedAzimuths(), 16);
+}
+
 TEST(Irradiance, ChangedLightsNeedNoNewHorizons)
 {
   const auto terrain = Terrain();
@@ -422,6 +457,14 @@ TEST(Irradiance, RefusesInOneLine)
   key->SetAngularRadius(5.0);
   lit.Filter->SetNumberOfAzimuths(0);
   EXPECT_NE(Refusal(lit.Filter).find("0 azimuths"), std::string::npos);
+  lit.Filter->SetNumberOfAzimuths(8);
+  lit.Filter->SetLightMethodToHarmonics();
+  for (const int bands : { 1, 9 })
+  {
+    lit.Filter->SetHarmonicBands(bands);
+    EXPECT_NE(
+      Refusal(lit.Filter).find("bands of spherical harmonics; give 2 to 8"), std::string::npos);
+  }
 }
 
 } // namespace

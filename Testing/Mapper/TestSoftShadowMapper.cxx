@@ -2,6 +2,8 @@
 // The mapper as a mapper: what it shares with all of VTK's, what it uploads, what it refuses.
 #include "MapperTesting.h"
 
+#include "vtkHeightFieldVisibility.h"
+
 #include "vtkHardwareSelector.h"
 #include "vtkLookupTable.h"
 #include "vtkPlane.h"
@@ -50,6 +52,15 @@ vtkSmartPointer<vtkImageData> Cloth(int red, int green, int blue)
   }
   return image;
 }
+
+/// Counts events.
+class Counter : public vtkCommand
+{
+public:
+  static Counter* New() { return new Counter; }
+  void Execute(vtkObject*, unsigned long, void*) override { ++this->Count; }
+  int Count = 0;
+};
 
 // Level ground at a height under an even light, and its mapper.
 class SoftShadowMapper : public Drawing
@@ -193,6 +204,54 @@ TEST_F(SoftShadowMapper, WhatIsNotThereIsNotInTheShader)
   this->Shader()->ToneMappingOff();
   this->Middle();
   EXPECT_FALSE(this->TextHas("ToneMap"));
+}
+
+TEST_F(SoftShadowMapper, AMovedCameraCostsNothing)
+{
+  vtkNew<vtkHeightFieldVisibility> visibility;
+  vtkNew<Counter> executions;
+  visibility->AddObserver(vtkCommand::StartEvent, executions);
+  visibility->SetInputData(this->Ground);
+  visibility->SetNumberOfAzimuths(3);
+  this->Shader()->SetHeightFieldConnection(visibility->GetOutputPort());
+  this->Shader()->SetMode(vtkSoftShadowShader::VISIBILITY);
+  this->Shader()->SetUniformLight(1.0, 1.0, 1.0);
+  this->Middle();
+  EXPECT_EQ(executions->Count, 1);
+  const int uploads = this->Uploads();
+  const vtkMTimeType text = this->Mapper->GetMTime();
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    this->Scene->Renderer->GetActiveCamera()->Azimuth(5.0);
+    this->Scene->Render();
+  }
+  EXPECT_EQ(executions->Count, 1);
+  EXPECT_EQ(this->Uploads(), uploads);
+  EXPECT_EQ(this->Mapper->GetMTime(), text);
+}
+
+// Every lamp's text comes and goes with its light, whatever the mode.
+TEST_F(SoftShadowMapper, NoLampNoTextureAndNoText)
+{
+  AddArray(this->Ground, "LampIrradiance", 2,
+    [](int, int) {
+      return std::vector<double>{ 1.0, 2.0 };
+    });
+  for (const int mode : { vtkSoftShadowShader::IRRADIANCE, vtkSoftShadowShader::TRANSFER,
+         vtkSoftShadowShader::VISIBILITY })
+  {
+    this->Shader()->SetMode(mode);
+    this->Middle();
+    const int uploads = this->Uploads();
+    EXPECT_FALSE(this->TextHas("Lamp")) << mode;
+    this->Shader()->SetLampRadiance(1, 0.5, 0.5, 0.5);
+    this->Middle();
+    EXPECT_TRUE(this->TextHas("SkylineLamps")) << mode;
+    EXPECT_LE(this->Uploads(), uploads + 1) << mode;
+    this->Shader()->SetLampRadiance(1, 0.0, 0.0, 0.0);
+    this->Middle();
+    EXPECT_FALSE(this->TextHas("Lamp")) << mode;
+  }
 }
 
 TEST_F(SoftShadowMapper, VtksOwnLightsCountForNothing)

@@ -231,6 +231,24 @@ inline OracleField SineGrating(std::ptrdiff_t columns, std::ptrdiff_t rows, doub
     [=](double x, double) { return amplitude * std::sin(2.0 * Pi * x / wave + phase); });
 }
 
+/// Waves: three trains of them, each with its own direction, length and speed; 'wave' is the longest,
+/// 'time' counts its periods.
+inline OracleField Waves(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
+  double amplitude, double wave, double time)
+{
+  return FromFunction(columns, rows, spacing, spacing, 0, 0,
+    [=](double x, double y)
+    {
+      const auto train = [&](double part, double toward)
+      {
+        const double way = x * std::cos(toward) + y * std::sin(toward);
+        // On deep water the speed goes with the root of the length.
+        return part * std::sin(2.0 * Pi * (way / (part * wave) - time / std::sqrt(part)));
+      };
+      return amplitude * (train(1.0, 0.3) + train(0.5, 1.1) + train(0.3, -0.7)) / 1.8;
+    });
+}
+
 /// A city: blocks of 'block' posts between streets of 'street' posts, each a house of 0.2 to 1 times
 /// the height.
 inline OracleField City(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,

@@ -132,10 +132,15 @@ TEST_F(Harmonics, FollowMovingTerrain)
   vtkNew<vtkOpenGLHeightFieldVisibility> twin;
   vtkNew<vtkHeightFieldVisibility> host;
   twin->SetDevice(this->Device);
-  for (const int seed : { 1, 2, 3 })
+  std::vector<oracle::OracleField> frames;
+  for (const double time : { 0.0, 0.4, 0.8 })
   {
-    const auto image = ImageOf<vtkDoubleArray>(
-      shapes::Fractal(50, 40, 30.0, 800.0, static_cast<unsigned int>(seed)));
+    frames.push_back(shapes::Waves(50, 40, 2.0, 6.0, 30.0, time));
+    frames.push_back(shapes::Landslide(50, 40, 10.0, 0.5, 80.0, time));
+  }
+  for (const oracle::OracleField& frame : frames)
+  {
+    const auto image = ImageOf<vtkDoubleArray>(frame);
     this->Configure(twin.Get(), image);
     this->Configure(host.Get(), image);
     twin->Update();

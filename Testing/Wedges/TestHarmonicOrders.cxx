@@ -27,6 +27,9 @@ namespace
 constexpr int Azimuths = 64;
 constexpr int Elevations = 180; // of the direct integration
 
+/// Per cent of the irradiance: what LightFitRidge costs where the series could be exact.
+constexpr double RidgeError = 0.02;
+
 /// Some posts of a scene with their horizons.
 struct Posts
 {
@@ -209,19 +212,21 @@ struct NamedScene
   oracle::OracleField Field;
 };
 
+/// The papers' scenes, the moving ones at a moment, and real terrain.
 std::vector<NamedScene> Scenes()
 {
   return {
-    { "fractal", shapes::Fractal(160, 160, 30.0, 300.0, 1) },
     { "St Helens", SaintHelens() },
+    { "mountain", shapes::Fractal(160, 160, 30.0, 300.0, 1) },
     { "egg tray", shapes::EggTray(128, 128, 10.0, 80.0, 320.0) },
-    { "cone",
-      shapes::FromFunction(129, 129, 1.0, 1.0, 64, 64,
-        [](double x, double y) { return std::max(0.0, 40.0 - std::hypot(x, y)); }) },
-    { "grating",
-      shapes::FromFunction(128, 128, 1.0, 1.0, 0, 0,
-        [](double x, double) { return 6.0 * std::sin(2.0 * Pi * x / 32.0); }) },
-    { "city", shapes::RandomBoxes(160, 160, 1.0, 90, 16, 30.0, 3) },
+    { "cone", shapes::Cone(129, 129, 1.0, 40.0, 40.0) },
+    { "cones v1", shapes::ConesInRows(128, 128, 2.0, 22.0, 40.0) },
+    { "cones v2", shapes::ConesOnCircle(128, 128, 2.0, 24.0, 36.0) },
+    { "grating", shapes::SineGrating(128, 128, 1.0, 6.0, 32.0) },
+    { "city", shapes::City(160, 160, 1.0, 20, 12, 30.0, 3) },
+    { "teddy", shapes::Teddy(128, 128, 2.0, 40.0) },
+    { "waves", shapes::Waves(128, 128, 2.0, 6.0, 40.0, 0.4) },
+    { "landslide", shapes::Landslide(128, 128, 10.0, 0.5, 150.0, 0.7) },
   };
 }
 
@@ -271,8 +276,8 @@ TEST(HarmonicOrders, IrradianceAgainstDirectIntegration)
   // it cannot hold a disc.
   for (const auto& [name, error] : errors)
   {
-    EXPECT_LT(error[4], error[2]) << name;
-    EXPECT_LT(error[8], error[4]) << name;
+    EXPECT_LT(error[4], std::max(error[2], RidgeError)) << name;
+    EXPECT_LT(error[8], std::max(error[4], RidgeError)) << name;
     EXPECT_LT(error[4], products[name][4]) << name;
   }
   EXPECT_LT(errors["overcast"][4], 0.05);

@@ -162,6 +162,70 @@ TEST(VisibilityFilter, TakesThePyramid)
   EXPECT_LT(range[0], range[1] - 0.2);
 }
 
+TEST(VisibilityFilter, UnchangedHeightsKeepTheirPyramid)
+{
+  const auto image = ImageOf<vtkFloatArray>(Hills());
+  vtkNew<vtkHeightFieldVisibility> filter;
+  filter->SetInputData(image);
+  filter->SetMethodToPyramid();
+  filter->SetNumberOfAzimuths(3);
+  const auto builds = [&]()
+  {
+    filter->Update();
+    return filter->GetPyramidBuilds();
+  };
+  EXPECT_EQ(builds(), 1);
+  // Another light, another order, other reading of the levels, a mere touch.
+  filter->SetSwathWidth(20.0);
+  EXPECT_EQ(builds(), 0);
+  filter->SetNumberOfBands(3);
+  EXPECT_EQ(builds(), 0);
+  filter->SetLevelOffset(1.0);
+  filter->SetLevelDistance(1.5);
+  filter->LevelSplineOff();
+  EXPECT_EQ(builds(), 0);
+  image->GetPointData()->GetScalars()->Modified();
+  image->Modified();
+  EXPECT_EQ(builds(), 0);
+  const auto same = [&]()
+  {
+    vtkNew<vtkHeightFieldVisibility> fresh;
+    fresh->SetInputData(image);
+    fresh->SetMethodToPyramid();
+    fresh->SetNumberOfAzimuths(3);
+    fresh->SetSwathWidth(20.0);
+    fresh->SetNumberOfBands(3);
+    fresh->SetLevelStep(filter->GetLevelStep());
+    fresh->SetLevelOffset(1.0);
+    fresh->SetLevelDistance(1.5);
+    fresh->LevelSplineOff();
+    fresh->Update();
+    vtkFloatArray* kept = ArrayOf(filter, "VisibilitySH");
+    vtkFloatArray* built = ArrayOf(fresh, "VisibilitySH");
+    return std::memcmp(kept->GetPointer(0), built->GetPointer(0),
+             static_cast<std::size_t>(kept->GetNumberOfValues()) * sizeof(float)) == 0;
+  };
+  EXPECT_TRUE(same());
+  // Other levels; other heights, whoever is told; a post that goes missing; another method between.
+  filter->SetLevelStep(3.0);
+  EXPECT_EQ(builds(), 1);
+  EXPECT_TRUE(same());
+  vtkDataArray* heights = image->GetPointData()->GetScalars();
+  heights->SetComponent(777, 0, heights->GetComponent(777, 0) + 0.01);
+  image->Modified();
+  EXPECT_EQ(builds(), 1);
+  EXPECT_TRUE(same());
+  heights->SetComponent(5000, 0, std::nan(""));
+  heights->Modified();
+  image->Modified();
+  EXPECT_EQ(builds(), 1);
+  EXPECT_TRUE(same());
+  filter->SetMethodToExact();
+  EXPECT_EQ(builds(), 0);
+  filter->SetMethodToPyramid();
+  EXPECT_EQ(builds(), 1);
+}
+
 TEST(VisibilityFilter, RefusesWhatItCannotDo)
 {
   const auto refuses =

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The orders of spherical harmonics that filters take.
+#ifndef skyline_HarmonicBands_h
+#define skyline_HarmonicBands_h
+
+#include "SphericalHarmonics.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace skyline
+{
+
+constexpr int LeastHarmonicBands = 2; ///< fewer hold no direction
+
+/// std::invalid_argument unless there are 2 to 8 bands.
+inline void CheckHarmonicBands(int bands)
+{
+  if (bands < LeastHarmonicBands || bands > MaxHarmonicBands)
+  {
+    throw std::invalid_argument(std::to_string(bands) + " bands of spherical harmonics; give " +
+      std::to_string(LeastHarmonicBands) + " to " + std::to_string(MaxHarmonicBands));
+  }
+}
+
+} // namespace skyline
+
+#endif
