@@ -2,6 +2,7 @@
 #include "HarmonicLight.h"
 
 #include "Constants.h"
+#include "LightFit.h"
 #include "SphericalHarmonics.h"
 
 #include <algorithm>
@@ -27,29 +28,30 @@ HarmonicLight::HarmonicLight(int bands)
 void HarmonicLight::Add(const TurnedLightMap& light)
 {
   const auto count = static_cast<std::size_t>(HarmonicCount(this->Bands));
-  // What shines from below the horizon is never seen, so it is free: the mirror image of the upper
-  // half leaves no edge at the horizon over which a short series would ring. A mirrored function
-  // has twice the coefficients of the half for even l + m, and none for odd.
-  std::vector<double> map(3 * count, 0.0);
-  const LightMapProjection projection(light.Map.Columns, light.Map.Rows, this->Bands);
-  const std::ptrdiff_t half = light.Map.Rows / 2, mirrored = light.Map.Rows - half;
-  projection.AddRows(light.Map, 0, half, map.data());
-  projection.AddRows(light.Map, 0, mirrored, map.data()); // a middle row counts once
-  for (int l = 0; l < this->Bands; ++l)
+  // What shines from below the horizon is never seen, so the series is free there: that of the map's
+  // upper half alone, closest to it above the horizon, has no edge to ring along.
+  std::vector<double> upper(3 * count, 0.0);
+  const std::ptrdiff_t columns = light.Map.Columns, rows = light.Map.Rows;
+  if (rows % 2 == 0)
   {
-    for (int m = -l; m <= l; ++m)
+    LightMapProjection(columns, rows, this->Bands).AddRows(light.Map, 0, rows / 2, upper.data());
+  }
+  else
+  {
+    std::vector<float> twice; // each row in two, so that the horizon lies between rows
+    for (std::ptrdiff_t row = 0; row < 2 * rows; ++row)
     {
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        map[c * count + static_cast<std::size_t>(HarmonicIndex(l, m))] *=
-          (l + m) % 2 == 0 ? 1.0 : 0.0;
-      }
+      const float* pixels = light.Map.Pixel(row / 2, 0);
+      twice.insert(twice.end(), pixels, pixels + 3 * columns);
     }
+    LightMapProjection(columns, 2 * rows, this->Bands)
+      .AddRows(ViewTopDown(twice.data(), columns, 2 * rows), 0, rows, upper.data());
   }
   std::vector<double> turned(count);
   for (std::size_t c = 0; c < 3; ++c)
   {
-    RotateAboutVertical(this->Bands, light.Rotation, map.data() + c * count, turned.data());
+    RotateAboutVertical(this->Bands, light.Rotation, upper.data() + c * count, turned.data());
+    FitLight(Swath(), this->Bands, turned.data(), turned.data());
     for (std::size_t i = 0; i < count; ++i)
     {
       this->Coefficients[c * count + i] += light.Scale[c] * turned[i];
