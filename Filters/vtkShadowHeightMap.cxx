@@ -93,6 +93,17 @@ void vtkShadowHeightMap::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "BelowTerrain: " << this->BelowTerrain << "\n";
 }
 
+std::unique_ptr<skyline::HorizonMethod> vtkShadowHeightMap::MakeMethod(
+  skyline::HorizonScene& scene, double slope)
+{
+  if (this->Method == SWEEP)
+  {
+    return std::make_unique<skyline::ShadowHeightSweep>(scene.PreparedField(), slope);
+  }
+  return std::make_unique<skyline::ShadowHeightExact>(
+    scene.PreparedField(), slope, scene.UsedSettings().Sink);
+}
+
 bool vtkShadowHeightMap::AddShadow(skyline::HorizonScene& scene, vtkImageData* output,
   const char* name, double elevation, bool risen, bool belowTerrain)
 {
@@ -103,17 +114,7 @@ bool vtkShadowHeightMap::AddShadow(skyline::HorizonScene& scene, vtkImageData* o
     scene.BlankMissing(shadows);
     return true;
   }
-  const double slope = skyline::ShadowSlope(elevation);
-  std::unique_ptr<skyline::HorizonMethod> method;
-  if (this->Method == SWEEP)
-  {
-    method = std::make_unique<skyline::ShadowHeightSweep>(scene.PreparedField(), slope);
-  }
-  else
-  {
-    method = std::make_unique<skyline::ShadowHeightExact>(
-      scene.PreparedField(), slope, scene.UsedSettings().Sink);
-  }
+  const auto method = this->MakeMethod(scene, skyline::ShadowSlope(elevation));
   ShadowStore store(scene, this->GetInputArrayToProcess(0, output), shadows, belowTerrain);
   const bool finished = scene.Run(*method, { this->SunAzimuth }, 0.0, store);
   scene.BlankMissing(shadows);

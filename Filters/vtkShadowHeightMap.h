@@ -28,7 +28,12 @@
 
 #include "vtkHeightFieldAlgorithm.h"
 
-class vtkDataArray;
+#include <memory> // For MakeMethod
+
+namespace skyline
+{
+class HorizonMethod;
+}
 
 class SKYLINEFILTERS_EXPORT vtkShadowHeightMap : public vtkHeightFieldAlgorithm
 {
@@ -70,6 +75,13 @@ public:
 
 protected:
   bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+
+#ifndef __VTK_WRAP__
+  /// What finds shadow heights of a light whose rays fall by `slope` metres a metre; a twin on another
+  /// processor puts its own here.
+  virtual std::unique_ptr<skyline::HorizonMethod> MakeMethod(
+    skyline::HorizonScene& scene, double slope);
+#endif
 
   double SunAzimuth = 315.0;
   double SunElevation = 45.0;

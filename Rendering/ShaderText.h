@@ -6,11 +6,14 @@
 #include <string>
 
 // The files, put into the library by vtk_encode_string under these names.
+extern const char* skyline_HullSweep;
 extern const char* skyline_Irradiance;
 extern const char* skyline_Lamps;
 extern const char* skyline_Receiver;
 extern const char* skyline_ReceiverGS;
 extern const char* skyline_ReceiverVS;
+extern const char* skyline_ShadowSweep;
+extern const char* skyline_ShadowWalk;
 extern const char* skyline_SoftShadowFS;
 extern const char* skyline_SoftShadowGS;
 extern const char* skyline_SoftShadowVS;

@@ -9,7 +9,9 @@
  * texture limit go tile by tile.
  *
  * Where there is no OpenGL context, or it is lost, one error says so in one line and the host computes
- * the array. SWEEP and bilinear surfaces the host computes anyway. IsOnDevice tells who did.
+ * the array. SWEEP needs compute shaders (OpenGL 4.3): one invocation marches along each line, the hull of
+ * what it has passed in a buffer; without them, and for bilinear surfaces, the host computes anyway, without
+ * an error. IsOnDevice tells who did.
  */
 #ifndef vtkOpenGLHeightFieldHorizon_h
 #define vtkOpenGLHeightFieldHorizon_h
@@ -22,7 +24,8 @@
 namespace skyline
 {
 class TwinFilter;
-}
+class TwinShadowSource;
+} // namespace skyline
 class vtkOpenGLHeightFieldDevice;
 
 class SKYLINERENDERING_EXPORT vtkOpenGLHeightFieldHorizon : public vtkHeightFieldHorizon
@@ -55,7 +58,10 @@ private:
   vtkOpenGLHeightFieldHorizon(const vtkOpenGLHeightFieldHorizon&) = delete;
   void operator=(const vtkOpenGLHeightFieldHorizon&) = delete;
 
+  bool Sweep(skyline::HorizonScene& scene, const std::vector<double>& azimuths, float* values);
+
   std::unique_ptr<skyline::TwinFilter> Twin;
+  std::unique_ptr<skyline::TwinShadowSource> Sweeps;
 };
 
 #endif

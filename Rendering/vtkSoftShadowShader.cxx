@@ -470,7 +470,7 @@ std::string vtkSoftShadowShader::Prepare(vtkOpenGLRenderWindow* window)
   }
   else if (this->Mode == RECEIVER)
   {
-    const std::string reason = in.Receiver.Prepare(window, in.Image, in.Uploads);
+    std::string reason = in.Receiver.Prepare(window, in.Image, in.Uploads);
     if (!reason.empty())
     {
       return reason;

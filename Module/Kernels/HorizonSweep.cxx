@@ -59,11 +59,16 @@ HorizonSweep::HorizonSweep(const HeightField& field, const HorizonSettings& sett
 void HorizonSweep::SetAzimuth(const Grid& grid, double azimuth)
 {
   this->Ray = std::make_unique<RayFrame>(this->Field, grid, azimuth, this->Settings.Sink);
-  this->Posts = grid;
-  this->Along = DirectionOfAzimuth(azimuth);
-  this->Step = std::min(grid.SpacingX, grid.SpacingY);
-  const double width = static_cast<double>(grid.Columns - 1) * grid.SpacingX;
-  const double height = static_cast<double>(grid.Rows - 1) * grid.SpacingY;
+  // In posts, whatever their spacing: with a step of the shorter one, posts 1000 times as long as wide
+  // would make a million samples of each.
+  const Direction metres = DirectionOfAzimuth(azimuth);
+  const double east = metres.East / grid.SpacingX;
+  const double north = metres.North / grid.SpacingY;
+  const double rate = std::hypot(east, north);
+  this->Along = { east / rate, north / rate };
+  this->Step = 1.0 / rate;
+  const auto width = static_cast<double>(grid.Columns - 1);
+  const auto height = static_cast<double>(grid.Rows - 1);
   const double alongEast = this->Along.East * width;
   const double alongNorth = this->Along.North * height;
   const double acrossEast = this->Along.North * width;
@@ -72,9 +77,20 @@ void HorizonSweep::SetAzimuth(const Grid& grid, double azimuth)
   this->AcrossBegin = std::min(acrossEast, 0.0) + std::min(acrossNorth, 0.0);
   const double length = std::abs(alongEast) + std::abs(alongNorth);
   const double breadth = std::abs(acrossEast) + std::abs(acrossNorth);
-  this->Samples = static_cast<std::ptrdiff_t>(std::ceil(length / this->Step - 1e-9)) + 1;
-  this->SweepLines = static_cast<std::ptrdiff_t>(std::ceil(breadth / this->Step - 1e-9)) + 1;
-  this->Slopes.resize(static_cast<std::size_t>(this->SweepLines * this->Samples));
+  this->Samples = static_cast<std::ptrdiff_t>(std::ceil(length - 1e-9)) + 1;
+  this->LineCount = static_cast<std::ptrdiff_t>(std::ceil(breadth - 1e-9)) + 1;
+  this->Slopes.resize(static_cast<std::size_t>(this->LineCount * this->Samples));
+}
+
+SweepLines HorizonSweep::LinesOfSweep() const
+{
+  const Direction& to = this->Along;
+  const double along = this->AlongBegin;
+  const double across = this->AcrossBegin;
+  return { this->LineCount, this->Samples,
+    { along * to.East + across * to.North, along * to.North - across * to.East },
+    { to.East, to.North }, { to.North, -to.East }, along * this->Step, this->Step,
+    this->Settings.Sink };
 }
 
 void HorizonSweep::Prepare(std::ptrdiff_t begin, std::ptrdiff_t end)
@@ -84,16 +100,16 @@ void HorizonSweep::Prepare(std::ptrdiff_t begin, std::ptrdiff_t end)
   for (std::ptrdiff_t line = begin; line < end; ++line)
   {
     float* slopes = this->Slopes.data() + line * this->Samples;
-    const double across = this->AcrossBegin + static_cast<double>(line) * this->Step;
+    const double across = this->AcrossBegin + static_cast<double>(line);
     std::size_t depth = 0;
     for (std::ptrdiff_t index = this->Samples - 1; index >= 0; --index)
     {
-      const double place = this->AlongBegin + static_cast<double>(index) * this->Step;
-      const double east = place * this->Along.East + across * this->Along.North;
-      const double north = place * this->Along.North - across * this->Along.East;
+      const double along = this->AlongBegin + static_cast<double>(index);
+      const double column = along * this->Along.East + across * this->Along.North;
+      const double row = along * this->Along.North - across * this->Along.East;
+      const double place = along * this->Step;
       Sample sample{ place, 0.0 };
-      if (!HeightAt(this->Field.RowPlane(), east / this->Posts.SpacingX,
-            north / this->Posts.SpacingY, sample.Height))
+      if (!HeightAt(this->Field.RowPlane(), column, row, sample.Height))
       {
         slopes[index] = std::numeric_limits<float>::quiet_NaN();
         continue;
@@ -125,12 +141,8 @@ void HorizonSweep::Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd, std::p
     {
       const double column = frame.Columns ? imageLine : static_cast<double>(lane);
       const double row = frame.Columns ? static_cast<double>(lane) : imageLine;
-      const double east = column * this->Posts.SpacingX;
-      const double north = row * this->Posts.SpacingY;
-      const double s =
-        (east * this->Along.East + north * this->Along.North - this->AlongBegin) / this->Step;
-      const double t =
-        (east * this->Along.North - north * this->Along.East - this->AcrossBegin) / this->Step;
+      const double s = column * this->Along.East + row * this->Along.North - this->AlongBegin;
+      const double t = column * this->Along.North - row * this->Along.East - this->AcrossBegin;
       // The four samples around the post; those outside the data, or with nothing beyond
       // them, leave their weight to the others.
       double sum = 0.0;
@@ -142,7 +154,7 @@ void HorizonSweep::Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd, std::p
         const double weight = (1.0 - std::abs(s - sampleFloor)) * (1.0 - std::abs(t - lineFloor));
         const auto i = static_cast<std::ptrdiff_t>(sampleFloor);
         const auto j = static_cast<std::ptrdiff_t>(lineFloor);
-        if (weight <= 0.0 || i < 0 || j < 0 || i >= this->Samples || j >= this->SweepLines)
+        if (weight <= 0.0 || i < 0 || j < 0 || i >= this->Samples || j >= this->LineCount)
         {
           continue;
         }

@@ -9,8 +9,8 @@ namespace skyline
 {
 
 ShadowHeightSweep::ShadowHeightSweep(const HeightField& field, double slope)
-  : Field(field)
-  , Slope(slope)
+  : Slope(slope)
+  , Field(field)
 {
 }
 

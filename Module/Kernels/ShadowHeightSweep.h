@@ -32,10 +32,12 @@ public:
   void Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd, std::ptrdiff_t laneBegin,
     std::ptrdiff_t laneEnd, float* heights, std::ptrdiff_t stride) const override;
 
+protected:
+  double Slope;
+  std::vector<float> Cast; // [frame line][lane]: what Prepare fills, or another processor
+
 private:
   const HeightField& Field;
-  double Slope;
-  std::vector<float> Cast; // [frame line][lane]
 };
 
 } // namespace skyline
