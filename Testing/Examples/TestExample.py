@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs an example as Documentation/examples.md writes it and looks at what it wrote.
+
+    TestExample.py NAME SOURCE BIN OUTPUT
+
+The picture is checked by numbers taken from it, and it is the one that the page shows.
+"""
+
+import os
+import re
+import shlex
+import subprocess
+import sys
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+SKIPPED = 77  # what an example returns where there is no OpenGL
+DRIFT = 4.0  # sRGB codes, mean: another OpenGL has other edges, a changed light is far more
+
+
+def read(file):
+    """(rows, columns, channels), row 0 the top."""
+    reader = vtkPNGReader()
+    reader.SetFileName(file)
+    reader.Update()
+    image = reader.GetOutput()
+    columns, rows, _ = image.GetDimensions()
+    pixels = vtk_to_numpy(image.GetPointData().GetScalars())
+    return pixels.reshape(rows, columns, -1)[::-1].astype(float)
+
+
+def grey(picture):
+    return picture[..., :3].mean(axis=-1)
+
+
+def command_of(name):
+    """The line of the page that runs the program."""
+    page = open(os.path.join(SOURCE, "Documentation", "examples.md"), encoding="utf-8").read()
+    lines = [line.strip() for line in page.splitlines() if line.startswith("    ") and name in line]
+    assert len(lines) == 1, (name, lines)
+    return lines[0]
+
+
+def run(command):
+    """Runs a line of the page in OUTPUT."""
+    environment = dict(os.environ, dem=os.path.join(SOURCE, "Testing/Data/dem/SainteHelens.tif"),
+                       maps=os.path.join(SOURCE, "Testing/Data/light-maps"))
+    command = command.replace("build/bin/", BIN + "/").replace("Examples/", SOURCE + "/Examples/")
+    command = command.replace("python3 ", shlex.quote(sys.executable) + " ")
+    done = subprocess.run(["bash", "-ec", command], cwd=OUTPUT, env=environment,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    if done.returncode == SKIPPED:
+        print((done.stdout + done.stderr).strip())
+        sys.exit(SKIPPED)
+    assert done.returncode == 0, (done.returncode, done.stdout, done.stderr)
+    assert "rror" not in done.stderr, done.stderr
+    return done.stdout
+
+
+def check_sky_view_array(picture, said):
+    assert said.startswith("468 x 327 posts"), said
+    assert picture.shape[:2] == (468, 327)
+    crater, plain = grey(picture)[170:210, 150:190], grey(picture)[430:460, 100:220]
+    assert crater.mean() < plain.mean() - 60.0, (crater.mean(), plain.mean())
+
+
+def check_sun_over_a_day(picture, said):
+    lit = [float(number) for number in re.findall(r"lit (\S+)", said)]
+    assert len(lit) == 8 and np.argmax(lit) == 4, lit
+    assert lit == sorted(lit[:5]) + sorted(lit[5:], reverse=True), "it rises, and it sets"
+    rows, columns = picture.shape[0] // 2, picture.shape[1] // 4
+    frames = [grey(picture)[rows * (k // 4):rows * (k // 4 + 1), columns * (k % 4):columns * (k % 4 + 1)]
+              for k in range(8)]
+    # Beside the summit lies its shadow: in the west in the morning, in the east in the evening.
+    west, east = (slice(85, 125), slice(20, 60)), (slice(85, 125), slice(105, 135))
+    for morning, evening in [(1, 7), (2, 6)]:
+        assert frames[morning][west].mean() < frames[morning][east].mean() - 10.0
+        assert frames[evening][east].mean() < frames[evening][west].mean() - 10.0
+    assert frames[0].mean() < frames[2].mean() < frames[4].mean()
+    assert len(os.listdir(os.path.join(OUTPUT, "day"))) == 8
+
+
+def check_hdr_environment(picture, said):
+    other = os.path.join(OUTPUT, "turned.png")
+    run(command_of("HdrEnvironment").replace("hdr-environment.png 240", other + " 60"))
+    turned = read(other)
+    west, east = (slice(190, 230), slice(280, 340)), (slice(190, 230), slice(460, 520))
+    slopes = [grey(p)[side].mean() for p in (picture, turned) for side in (west, east)]
+    assert slopes[0] > slopes[1] + 8.0 and slopes[3] > slopes[2] + 8.0, slopes
+
+
+def check_lamps_at_night(picture, said):
+    least, most = (float(number) for number in re.search(r"(\S+) to (\S+)", said).groups())
+    assert 0.0 < least < 0.2 and most > 10.0, said
+    red, blue = picture[..., 0], picture[..., 2]
+    assert np.median(grey(picture)) < 70.0, "it is night"
+    assert np.sum((red > 150.0) & (red > 1.4 * blue)) > 200, "orange light"
+    assert np.sum((blue > 120.0) & (blue > 1.15 * red)) > 50, "bluish light"
+
+
+def check_building_shadows(picture, said):
+    assert "0 to 1 of the sun" in said, said
+    light = grey(picture)
+    open_ground, own_shadow, behind_hill = light[400, 700], light[237, 545], light[300, 280]
+    assert own_shadow < 0.75 * open_ground and behind_hill < 0.75 * open_ground
+    upper, lower = light[200, 418], light[274, 418]
+    assert lower < 0.6 * upper, "the hill's shadow climbs the wall"
+
+
+def check_draped_texture(picture, said):
+    snow, forest = picture[225, 390], picture[420, 250]
+    assert snow.min() > 140.0, snow
+    assert forest[1] > forest[0] and forest[1] > 1.5 * forest[2], forest
+
+
+def check_dynamic_terrain(picture, said):
+    assert "4 frames" in said, said
+    assert picture.shape[:2] == (240, 4 * 320)
+    frames = [picture[:, 320 * k:320 * (k + 1)] for k in range(4)]
+    ground = frames[0][195, 160]
+    dark = [np.sum(grey(frame) < 0.6 * ground.mean()) for frame in frames]
+    assert 200 < dark[0] < dark[1] < dark[2], dark
+
+
+NAME, SOURCE, BIN, OUTPUT = sys.argv[1:]
+os.makedirs(OUTPUT, exist_ok=True)
+line = command_of(NAME)
+written = re.search(r"\S+\.png", line).group(0)
+said = run(line)
+picture = read(os.path.join(OUTPUT, written))
+snake = re.sub(r"(?<=[a-z])([A-Z])", r"_\1", NAME).lower().replace(".py", "")
+globals()["check_" + snake](picture, said)
+
+shown = read(os.path.join(SOURCE, "Documentation", "images", "examples", written))
+assert shown.shape == picture.shape, (shown.shape, picture.shape)
+drift = np.abs(shown - picture).mean()
+assert drift < DRIFT, f"{written} is {drift:.1f} codes from the picture of the page: make it anew"
