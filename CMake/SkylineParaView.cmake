@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# SKYLINE_PARAVIEW: finds ParaView and its VTK, which find_package(VTK) then takes; see
+# Documentation/paraview.md. ParaView_DIR says where; Utilities/install-paraview fetches one.
+find_package(ParaView 5.11 QUIET COMPONENTS RemotingCore RemotingServerManager RemotingViews
+  VTKExtensionsFiltersRendering WrapClientServer ProcessXML)
+if (NOT ParaView_FOUND)
+  message(FATAL_ERROR "SKYLINE_PARAVIEW: no ParaView 5.11 or later with its headers at ParaView_DIR "
+    "'${ParaView_DIR}' (${ParaView_NOT_FOUND_MESSAGE}). Utilities/install-paraview FOLDER fetches "
+    "that of Debian 12; ./bootstrap paraview does it all.")
+endif ()
+# In ParaView's own VTK alone: a system's VTK beside it would be mixed in.
+set(VTK_DIR "${ParaView_DIR}/vtk" CACHE PATH "ParaView's VTK" FORCE)
+set(skyline_paraview_module_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugins/ParaView/vtk.module")
+
+# The plugin of the modules that are built by then, and its tests.
+macro (skyline_build_paraview_plugin)
+  paraview_plugin_scan(
+    PLUGIN_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Plugins/ParaView/plugin/paraview.plugin"
+    PROVIDES_PLUGINS skyline_plugins
+    ENABLE_BY_DEFAULT ON
+    HIDE_PLUGINS_FROM_CACHE ON)
+  paraview_plugin_build(
+    PLUGINS ${skyline_plugins}
+    PLUGINS_FILE_NAME "skyline.plugins.xml"
+    AUTOLOAD ${skyline_plugins})
+  if (BUILD_TESTING)
+    enable_testing()
+    add_subdirectory(Testing/Plugins)
+  endif ()
+endmacro ()
