@@ -7,7 +7,10 @@ Run as `python3 TestDoctests.py SOURCE`: the examples name files from the projec
 import doctest
 import inspect
 import os
+import re
+import subprocess
 import sys
+import tempfile
 import typing
 import unittest
 
@@ -38,6 +41,19 @@ class Doctests(unittest.TestCase):
             self.assertIn("return", hints)
         package = os.path.dirname(skyline.__file__)
         self.assertTrue(os.path.exists(os.path.join(package, "py.typed")))
+
+    def test_the_page(self):
+        page = open(os.path.join("Documentation", "python.md"), encoding="utf-8").read()
+        blocks = re.findall(r"```python\n(.*?)```", page, re.S)
+        self.assertEqual(len(blocks), 2)
+        testing = os.path.abspath("Testing")
+        with tempfile.TemporaryDirectory() as folder:
+            os.symlink(testing, os.path.join(folder, "Testing"))
+            for block in blocks:
+                done = subprocess.run([sys.executable, "-c", "import skyline\n" + block], cwd=folder,
+                                      stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+                self.assertEqual(done.returncode, 0, done.stdout)
+            self.assertGreater(os.path.getsize(os.path.join(folder, "lit.tif")), 10000)
 
     def test_the_order_of_rows_comes_first(self):
         for name in ["horizon", "sky_view", "sun_visibility", "shadow_height", "irradiance", "to_image",

@@ -31,9 +31,12 @@ for command in commands:
 for name in written:
     assert os.path.getsize(os.path.join(output, name)) > 10000, name
 
-code = re.search(r"```python\n(.*?)```", readme, re.S).group(1)
 environment["PYTHONPATH"] = python_path
-printed = subprocess.run(
-    [sys.executable, "-c", code], cwd=source, env=environment, check=True, stdout=subprocess.PIPE
-).stdout.decode()
-assert printed.startswith("153036 posts"), printed
+codes = re.findall(r"```python\n(.*?)```", readme, re.S)
+expected = ["(468, 327) [1. 0. 1.]", "153036 posts"]
+assert len(codes) == len(expected), codes
+for code, start in zip(codes, expected):
+    printed = subprocess.run(
+        [sys.executable, "-c", code], cwd=source, env=environment, check=True, stdout=subprocess.PIPE
+    ).stdout.decode()
+    assert printed.startswith(start), printed
