@@ -10,7 +10,7 @@ from pathlib import Path
 CHECK = sys.argv.pop()
 ROOMS = [
     "Module/Shared", "Module/Kernels", "Module/Geo", "Module/Data",
-    "IO", "Filters", "Rendering", "Benchmark", "Tools",
+    "IO", "Filters", "Rendering", "Benchmark", "Tools", "Plugins",
 ]
 HEADERS = {
     "Module/Kernels": "Horizon.h",
