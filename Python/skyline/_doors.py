@@ -24,6 +24,7 @@ from .SkylineFilters import (
     vtkSkylineLight,
 )
 
+Names = Union[list[str], tuple[str, ...]]
 Sun = Sequence[float]
 Floats = NDArray[np.float32]
 Heights = Union[ArrayLike, FileName]
@@ -123,11 +124,11 @@ def _terrain(
 
 
 @overload
-def horizon(z: vtkImageData, spacing: None = None, azimuths: int = 72,
-            **options: Unpack[Options]) -> vtkImageData: ...
-@overload
 def horizon(z: Heights, spacing: Spacing | None = None, azimuths: int = 72,
             **options: Unpack[Options]) -> Floats: ...
+@overload
+def horizon(z: vtkImageData, spacing: None = None, azimuths: int = 72,
+            **options: Unpack[Options]) -> vtkImageData: ...
 def horizon(z: Any, spacing: Any = None, azimuths: int = 72, **options: Unpack[Options]) -> Any:
     """The horizon all around every post; z's row 0 is its NORTH edge, or its south one by row0="south".
 
@@ -156,17 +157,20 @@ def horizon(z: Any, spacing: Any = None, azimuths: int = 72, **options: Unpack[O
 
 
 @overload
-def sky_view(z: vtkImageData, spacing: None = None, azimuths: int = 72,
-             quantity: str | Sequence[str] = ..., **options: Unpack[Options]) -> vtkImageData: ...
-@overload
 def sky_view(z: Heights, spacing: Spacing | None = None, azimuths: int = 72,
              quantity: str = ..., **options: Unpack[Options]) -> Floats: ...
 @overload
-def sky_view(z: Heights, spacing: Spacing | None, azimuths: int, quantity: Sequence[str],
+def sky_view(z: Heights, spacing: Spacing | None = None, azimuths: int = 72, *, quantity: Names,
              **options: Unpack[Options]) -> dict[str, Floats]: ...
+@overload
+def sky_view(z: Heights, spacing: Spacing | None, azimuths: int, quantity: Names,
+             **options: Unpack[Options]) -> dict[str, Floats]: ...
+@overload
+def sky_view(z: vtkImageData, spacing: None = None, azimuths: int = 72,
+             quantity: str | Names = ..., **options: Unpack[Options]) -> vtkImageData: ...
 def sky_view(
     z: Any, spacing: Any = None, azimuths: int = 72,
-    quantity: str | Sequence[str] = "SkyViewFactor", **options: Unpack[Options],
+    quantity: str | Names = "SkyViewFactor", **options: Unpack[Options],
 ) -> Any:
     """How much sky every post sees; z's row 0 is its NORTH edge, or its south one by row0="south".
 
@@ -199,13 +203,13 @@ def sky_view(
 
 
 @overload
-def sun_visibility(z: vtkImageData, spacing: None = None, sun: Sun | None = None, *, time: Any = None,
-                   radius: float | None = None, limb_darkening: bool = False,
-                   **options: Unpack[Options]) -> vtkImageData: ...
-@overload
 def sun_visibility(z: Heights, spacing: Spacing | None = None, sun: Sun | None = None, *,
                    time: Any = None, radius: float | None = None, limb_darkening: bool = False,
                    **options: Unpack[Options]) -> Floats: ...
+@overload
+def sun_visibility(z: vtkImageData, spacing: None = None, sun: Sun | None = None, *, time: Any = None,
+                   radius: float | None = None, limb_darkening: bool = False,
+                   **options: Unpack[Options]) -> vtkImageData: ...
 def sun_visibility(
     z: Any, spacing: Any = None, sun: Any = None, *, time: Any = None, radius: float | None = None,
     limb_darkening: bool = False, **options: Unpack[Options],
@@ -248,11 +252,11 @@ def sun_visibility(
 
 
 @overload
-def shadow_height(z: vtkImageData, spacing: None = None, *, sun: Sun,
-                  below_terrain: bool = False, **options: Unpack[Options]) -> vtkImageData: ...
-@overload
 def shadow_height(z: Heights, spacing: Spacing | None = None, *, sun: Sun,
                   below_terrain: bool = False, **options: Unpack[Options]) -> Floats: ...
+@overload
+def shadow_height(z: vtkImageData, spacing: None = None, *, sun: Sun,
+                  below_terrain: bool = False, **options: Unpack[Options]) -> vtkImageData: ...
 def shadow_height(
     z: Any, spacing: Any = None, *, sun: Any, below_terrain: bool = False,
     **options: Unpack[Options],
@@ -282,19 +286,19 @@ def shadow_height(
 
 
 @overload
-def irradiance(z: vtkImageData, spacing: None = None, environment: Any = None, *,
-               sun: Sun | None = None, time: Any = None, sun_irradiance: Any = None,
-               radius: float | None = None, lamps: Iterable[Sequence[float]] = (),
-               lights: Iterable[vtkSkylineLight] = (), rotation: float = 0.0, azimuths: int = 128,
-               horizontal: bool = False, light_method: Literal["table", "sh"] = "table",
-               **options: Unpack[Options]) -> vtkImageData: ...
-@overload
 def irradiance(z: Heights, spacing: Spacing | None = None, environment: Any = None, *,
                sun: Sun | None = None, time: Any = None, sun_irradiance: Any = None,
                radius: float | None = None, lamps: Iterable[Sequence[float]] = (),
                lights: Iterable[vtkSkylineLight] = (), rotation: float = 0.0, azimuths: int = 128,
                horizontal: bool = False, light_method: Literal["table", "sh"] = "table",
                **options: Unpack[Options]) -> Floats: ...
+@overload
+def irradiance(z: vtkImageData, spacing: None = None, environment: Any = None, *,
+               sun: Sun | None = None, time: Any = None, sun_irradiance: Any = None,
+               radius: float | None = None, lamps: Iterable[Sequence[float]] = (),
+               lights: Iterable[vtkSkylineLight] = (), rotation: float = 0.0, azimuths: int = 128,
+               horizontal: bool = False, light_method: Literal["table", "sh"] = "table",
+               **options: Unpack[Options]) -> vtkImageData: ...
 def irradiance(
     z: Any, spacing: Any = None, environment: Any = None, *, sun: Any = None, time: Any = None,
     sun_irradiance: Any = None, radius: float | None = None, lamps: Any = (), lights: Any = (),
