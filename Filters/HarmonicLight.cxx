@@ -17,6 +17,19 @@ namespace
 
 constexpr double LeastRadius = 0.01 * RadiansPerDegree;
 
+/// From the projection over the upper hemisphere to the series that is closest there. The mean, which
+/// every series holds, goes beside the fit, so that an even sky stays what it is to rounding.
+void FitSky(int bands, std::vector<double>& coefficients)
+{
+  const double mean = coefficients[0] / HemisphereZonal(0);
+  for (int l = 0; l < bands; ++l)
+  {
+    coefficients[static_cast<std::size_t>(HarmonicIndex(l, 0))] -= mean * HemisphereZonal(l);
+  }
+  FitLight(Swath(), bands, coefficients.data(), coefficients.data());
+  coefficients[0] += mean * std::sqrt(4.0 * Pi);
+}
+
 } // namespace
 
 HarmonicLight::HarmonicLight(int bands)
@@ -51,7 +64,7 @@ void HarmonicLight::Add(const TurnedLightMap& light)
   for (std::size_t c = 0; c < 3; ++c)
   {
     RotateAboutVertical(this->Bands, light.Rotation, upper.data() + c * count, turned.data());
-    FitLight(Swath(), this->Bands, turned.data(), turned.data());
+    FitSky(this->Bands, turned);
     for (std::size_t i = 0; i < count; ++i)
     {
       this->Coefficients[c * count + i] += light.Scale[c] * turned[i];

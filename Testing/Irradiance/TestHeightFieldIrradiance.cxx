@@ -335,6 +335,18 @@ TEST(Irradiance, HarmonicsComeNearSmoothSkies)
   }
 }
 
+TEST(Irradiance, EvenLightOnOpenGroundIsPiInHarmonicsToo)
+{
+  vtkNew<vtkSkylineEnvironmentLight> sky;
+  for (const int bands : { 2, 4, 8 })
+  {
+    Lit lit(Level(), sky);
+    lit.Filter->SetLightMethodToHarmonics();
+    lit.Filter->SetHarmonicBands(bands);
+    EXPECT_NEAR(lit.At(220), Pi, SumError) << bands;
+  }
+}
+
 TEST(Irradiance, HarmonicsOfOddMapsAreThoseOfTheirUpperHalf)
 {
   // The middle row of three reaches below the horizon; in six rows its halves are apart.
