@@ -3,10 +3,10 @@
 
 #include "HorizonScene.h"
 #include "Measure.h"
+#include "SceneImage.h"
 #include "SkyAccumulator.h"
-#include "vtkFloatArray.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 
 #include <cmath>
@@ -19,22 +19,6 @@ namespace benchmark
 
 namespace
 {
-
-vtkSmartPointer<vtkImageData> ImageOf(const oracle::OracleField& field)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(static_cast<int>(field.Columns), static_cast<int>(field.Rows), 1);
-  image->SetSpacing(field.SpacingX, field.SpacingY, 1.0);
-  vtkNew<vtkFloatArray> heights;
-  heights->SetName("Elevation");
-  heights->SetNumberOfTuples(image->GetNumberOfPoints());
-  for (vtkIdType post = 0; post < image->GetNumberOfPoints(); ++post)
-  {
-    heights->SetValue(post, static_cast<float>(field.Heights[static_cast<std::size_t>(post)]));
-  }
-  image->GetPointData()->SetScalars(heights);
-  return image;
-}
 
 // Of the sky view factor: the oracle's horizons of the truth, summed by the oracle.
 double SkyViewRmse(const Scene& scene, const Truth& truth, const float* found)

@@ -33,7 +33,7 @@ Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths)
   const GrassLocation location(field, base);
   location.Import("heights");
 
-  GrassLocation::Cost sum;
+  Cost sum;
   ErrorSum errors;
   for (int k = 0; k < azimuths; ++k)
   {
@@ -43,7 +43,7 @@ Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths)
       static_cast<std::size_t>(8 * azimuths) % count;
     // There angles run from east to the left.
     const double angle = std::fmod(450.0 - truth.Azimuths[azimuth], 360.0);
-    const GrassLocation::Cost cost = location.Run("r.horizon",
+    const Cost cost = location.Run("r.horizon",
       { "-d", "elevation=heights", "direction=" + std::to_string(angle), "output=horizon" });
     sum.Cpu += cost.Cpu;
     sum.Wall += cost.Wall;

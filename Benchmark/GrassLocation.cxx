@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GrassLocation.h"
 
-#include "Measure.h"
-
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
-
-#include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace skyline
 {
@@ -22,34 +13,13 @@ namespace benchmark
 
 namespace fs = std::filesystem;
 
-std::string FirstLine(const char* command)
-{
-  std::string text;
-  if (FILE* pipe = popen(command, "r"))
-  {
-    std::array<char, 256> buffer{};
-    while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr)
-    {
-      text += buffer.data();
-    }
-    pclose(pipe);
-  }
-  return text.substr(0, text.find('\n'));
-}
-
 GrassLocation::GrassLocation(const oracle::OracleField& field, const std::string& base)
   : Field(field)
   , Base(base)
 {
-  std::string name = (fs::temp_directory_path() / "skyline-grass-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr)
-  {
-    throw std::runtime_error("no temporary folder");
-  }
-  this->Folder = name;
   fs::create_directories(this->Mapset());
-  std::ofstream(this->File("session"))
-    << "GISDBASE: " << name << "\nLOCATION_NAME: place\nMAPSET: PERMANENT\nGUI: text\n";
+  std::ofstream(this->File("session")) << "GISDBASE: " << this->Folder.Path().string()
+                                       << "\nLOCATION_NAME: place\nMAPSET: PERMANENT\nGUI: text\n";
   std::ofstream(this->Mapset() / "PROJ_INFO")
     << "name: Local\nproj: tmerc\nlat_0: 0\nlon_0: 0\nk: 1\nx_0: 0\ny_0: 0\nellps: sphere\n"
        "no_defs: defined\n";
@@ -69,43 +39,10 @@ GrassLocation::GrassLocation(const oracle::OracleField& field, const std::string
   setenv("LD_LIBRARY_PATH", (base + "/lib").c_str(), 1);
 }
 
-GrassLocation::~GrassLocation()
-{
-  std::error_code ignored;
-  fs::remove_all(this->Folder, ignored);
-}
-
-GrassLocation::Cost GrassLocation::Run(
-  const std::string& module, std::vector<std::string> arguments) const
+Cost GrassLocation::Run(const std::string& module, std::vector<std::string> arguments) const
 {
   arguments.insert(arguments.begin(), this->Base + "/bin/" + module);
-  std::vector<char*> words;
-  for (std::string& argument : arguments)
-  {
-    words.push_back(argument.data());
-  }
-  words.push_back(nullptr);
-  const double start = Now().Wall;
-  const pid_t child = fork();
-  if (child == 0)
-  {
-    const int nowhere = open("/dev/null", O_RDWR);
-    for (int stream = 0; stream < 3; ++stream)
-    {
-      dup2(nowhere, stream);
-    }
-    execv(words[0], words.data());
-    _exit(127);
-  }
-  int status = 1;
-  rusage usage{};
-  if (child < 0 || wait4(child, &status, 0, &usage) != child || status != 0)
-  {
-    throw std::runtime_error(module + " failed");
-  }
-  const auto seconds = [](const timeval& time)
-  { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
-  return { seconds(usage.ru_utime) + seconds(usage.ru_stime), Now().Wall - start };
+  return RunProgram(std::move(arguments));
 }
 
 void GrassLocation::Import(const std::string& raster) const
@@ -133,7 +70,7 @@ std::vector<float> GrassLocation::Take(const std::string& prefix) const
 {
   // A module adds the angle to the name, in a way that differs by release.
   std::string raster;
-  for (const auto& entry : fs::directory_iterator(this->Mapset() / "fcell"))
+  for (const auto& entry : fs::directory_iterator(this->Mapset() / "cell"))
   {
     const std::string name = entry.path().filename().string();
     raster = name.rfind(prefix, 0) == 0 ? name : raster;
@@ -145,7 +82,8 @@ std::vector<float> GrassLocation::Take(const std::string& prefix) const
   this->Run("r.out.bin",
     { "-f", "input=" + raster, "output=" + this->File("values"), "order=native",
       "null=" + std::to_string(Null) });
-  fs::remove(this->Mapset() / "fcell" / raster);
+  fs::remove(this->Mapset() / "fcell" / raster); // of floats
+  fs::remove(this->Mapset() / "cell" / raster);  // of every kind
   std::vector<float> values(this->Field.Heights.size());
   std::ifstream file(this->File("values"), std::ios::binary);
   if (!file.read(reinterpret_cast<char*>(values.data()),

@@ -3,6 +3,7 @@
 #ifndef skyline_GrassLocation_h
 #define skyline_GrassLocation_h
 
+#include "External.h"
 #include "Oracle.h"
 
 #include <filesystem>
@@ -14,9 +15,6 @@ namespace skyline
 namespace benchmark
 {
 
-/// First line that a shell command prints, empty if none.
-std::string FirstLine(const char* command);
-
 /// One location on a sphere's transverse Mercator with the data about its origin: there grid north
 /// is north to 1e-3 degrees. Its folder goes with it.
 class GrassLocation
@@ -24,14 +22,9 @@ class GrassLocation
 public:
   /// base: what `grass --config path` prints. Sets the process's environment for GRASS.
   GrassLocation(const oracle::OracleField& field, const std::string& base);
-  ~GrassLocation();
   GrassLocation(const GrassLocation&) = delete;
   GrassLocation& operator=(const GrassLocation&) = delete;
 
-  struct Cost
-  {
-    double Cpu = 0.0, Wall = 0.0; ///< seconds
-  };
   /// Runs a module, silent; std::runtime_error if it fails.
   Cost Run(const std::string& module, std::vector<std::string> arguments) const;
 
@@ -42,17 +35,17 @@ public:
   /// raster is forgotten.
   std::vector<float> Take(const std::string& prefix) const;
 
-  static constexpr float Null = -99999.0f;
+  static constexpr float Null = NoHeight;
 
 private:
-  std::string File(const char* name) const { return (this->Folder / name).string(); }
-  std::filesystem::path Mapset() const { return this->Folder / "place" / "PERMANENT"; }
+  std::string File(const char* name) const { return this->Folder.File(name); }
+  std::filesystem::path Mapset() const { return this->Folder.Path() / "place" / "PERMANENT"; }
   double North() const; // edges of the raster, half a spacing beyond its posts
   double East() const;
 
   const oracle::OracleField& Field;
   std::string Base;
-  std::filesystem::path Folder;
+  ScratchFolder Folder;
 };
 
 } // namespace benchmark

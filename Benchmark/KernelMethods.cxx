@@ -95,8 +95,8 @@ std::vector<std::size_t> ThinnedAzimuths(std::size_t count, std::size_t thin)
   return indices;
 }
 
-Result MeasureKernel(
-  const Scene& scene, const Truth& truth, const MakeMethod& make, int repeats, std::size_t thin)
+Result MeasureKernel(const Scene& scene, const Truth& truth, const MakeMethod& make, int repeats,
+  std::size_t thin, double seconds)
 {
   const Grid grid = testing::GridOf(scene.Field);
   const auto posts = static_cast<double>(grid.Columns * grid.Rows);
@@ -107,7 +107,8 @@ Result MeasureKernel(
   const std::vector<std::size_t> azimuths = ThinnedAzimuths(truth.Azimuths.size(), thin);
 
   Laps laps;
-  for (int repeat = 0; repeat < repeats; ++repeat)
+  const double start = Now().Wall;
+  for (int repeat = 0; repeat < repeats && (repeat == 0 || Now().Wall - start < seconds); ++repeat)
   {
     laps.NextRepeat();
     for (const std::size_t azimuth : azimuths)

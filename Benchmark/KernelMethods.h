@@ -22,8 +22,9 @@ using MakeMethod = std::function<std::unique_ptr<HorizonMethod>(const HeightFiel
 std::vector<std::size_t> ThinnedAzimuths(std::size_t count, std::size_t thin);
 
 /// Errors, times and memory of one method; it runs in all azimuths of the truth or a part of them.
+/// No repeat begins after `seconds`.
 Result MeasureKernel(const Scene& scene, const Truth& truth, const MakeMethod& make, int repeats,
-  std::size_t thin = 1);
+  std::size_t thin = 1, double seconds = 1e9);
 
 } // namespace benchmark
 } // namespace skyline

@@ -2,10 +2,12 @@
 #include "Machine.h"
 
 #include "EmbreeHorizon.h"
+#include "External.h"
 #include "GrassHorizon.h"
 
 #include "hwy/targets.h"
 
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <sstream>
@@ -69,16 +71,28 @@ std::string Load()
   return one + " " + five + " " + fifteen;
 }
 
+std::vector<std::pair<std::string, std::string>> MachineFacts()
+{
+  const auto installed = [](const std::string& line)
+  { return line.empty() ? "not installed" : line; };
+  return { { "date", Date() },
+    { "processor",
+      Processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores, load " +
+        Load() },
+    { "vectors", VectorTarget() }, { "compiler", Compiler() }, { "Embree", EmbreeVersion() },
+    { "GRASS", GrassVersion() }, { "SAGA", installed(FirstLine("saga_cmd --version 2>/dev/null")) },
+    { "gdaldem", installed(FirstLine("gdalinfo --version 2>/dev/null")) } };
+}
+
 std::string DescribeMachine()
 {
+  constexpr std::size_t width = 16; // of the names
   std::ostringstream text;
-  text << "date:           " << Date() << "\n"
-       << "processor:      " << Processor() << ", " << std::thread::hardware_concurrency()
-       << " cores, load " << Load() << "\n"
-       << "vectors:        " << VectorTarget() << "\n"
-       << "compiler:       " << Compiler() << "\n"
-       << "Embree:         " << EmbreeVersion() << "\n"
-       << "GRASS:          " << GrassVersion() << "\n";
+  for (const auto& [name, value] : MachineFacts())
+  {
+    text << name << ":" << std::string(width - 1 - std::min(width - 1, name.size()), ' ') << value
+         << "\n";
+  }
   return text.str();
 }
 

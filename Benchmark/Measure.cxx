@@ -2,7 +2,9 @@
 #include "Measure.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
@@ -10,8 +12,11 @@
 #include <fstream>
 #include <limits>
 #include <string>
+#include <thread>
 
 #include <malloc.h>
+#include <poll.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -76,6 +81,10 @@ double ProcessCpu()
 
 void Laps::Report(Result& result, double count) const
 {
+  if (this->Repeats.empty())
+  {
+    return;
+  }
   std::vector<double> prepare, search, total, wall;
   for (const Repeat& repeat : this->Repeats)
   {
@@ -85,6 +94,8 @@ void Laps::Report(Result& result, double count) const
     total.push_back(scale * (repeat.Prepare.Cpu + repeat.Search.Cpu));
     wall.push_back(scale * (repeat.Prepare.Wall + repeat.Search.Wall));
   }
+  result.ColdNs = total.front();
+  result.Repeats = static_cast<double>(total.size());
   result.PrepareNs = SpreadOf(prepare).Smallest;
   result.SearchNs = SpreadOf(search).Smallest;
   result.TotalNs = SpreadOf(total).Smallest;
@@ -107,7 +118,54 @@ double PeakMemory::FloatsPerPost(double posts) const
   return (StatusBytes("VmHWM") - this->Start) / sizeof(float) / posts;
 }
 
-Result InChild(const std::function<Result()>& measure)
+void ForAll(
+  std::size_t count, const std::function<void(std::size_t)>& work, const WantsToStop& stop)
+{
+  std::atomic<std::size_t> next{ 0 };
+  const auto run = [&]
+  {
+    for (std::size_t k = next++; k < count && !(stop && stop()); k = next++)
+    {
+      work(k);
+    }
+  };
+  std::vector<std::thread> others;
+  for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k)
+  {
+    others.emplace_back(run);
+  }
+  run();
+  for (std::thread& other : others)
+  {
+    other.join();
+  }
+}
+
+namespace
+{
+
+// Waits until the child writes or ends; kills it, and what it started, when asked to stop.
+void Await(int end, pid_t child, const WantsToStop& stop)
+{
+  constexpr int patience = 50; // milliseconds
+  pollfd wanted{ end, POLLIN, 0 };
+  while (stop)
+  {
+    if (stop())
+    {
+      kill(-child, SIGKILL);
+      return;
+    }
+    if (poll(&wanted, 1, patience) > 0)
+    {
+      return;
+    }
+  }
+}
+
+} // namespace
+
+Result InChild(const std::function<Result()>& measure, const WantsToStop& stop)
 {
   Result result;
   int ends[2];
@@ -121,6 +179,12 @@ Result InChild(const std::function<Result()>& measure)
   if (child == 0)
   {
     close(ends[0]);
+    setpgid(0, 0); // Ctrl-C is for the parent, which ends this group
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    for (const int signal : { SIGINT, SIGTERM, SIGHUP, SIGALRM })
+    {
+      std::signal(signal, SIG_DFL);
+    }
     Result found;
     try
     {
@@ -134,6 +198,11 @@ Result InChild(const std::function<Result()>& measure)
     _exit(written ? 0 : 1); // no destructors: the parent's files and libraries are not the child's
   }
   close(ends[1]);
+  if (child > 0)
+  {
+    setpgid(child, child); // whoever of the two comes first
+    Await(ends[0], child, stop);
+  }
   Result found;
   const bool complete = child > 0 && read(ends[0], &found, sizeof found) == ssize_t{ sizeof found };
   close(ends[0]);

@@ -5,6 +5,7 @@
 
 #include "Result.h"
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -79,9 +80,18 @@ private:
   double Start; // bytes
 };
 
+/// Asked now and then during long work; true: stop.
+using WantsToStop = std::function<bool()>;
+
+/// Runs work(0) to work(count - 1) on all processors, for truths, which nobody times. Leaves the
+/// rest out when asked to stop.
+void ForAll(
+  std::size_t count, const std::function<void(std::size_t)>& work, const WantsToStop& stop = {});
+
 /// Runs a measurement in a forked child, so that memory, caches of the allocator, threads of
-/// libraries and crashes stay its own. What it throws becomes the reason.
-Result InChild(const std::function<Result()>& measure);
+/// libraries and crashes stay its own. What it throws becomes the reason. When asked to stop, the
+/// child ends at once, with the programs that it runs.
+Result InChild(const std::function<Result()>& measure, const WantsToStop& stop = {});
 
 } // namespace benchmark
 } // namespace skyline

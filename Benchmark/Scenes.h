@@ -24,9 +24,15 @@ struct Scene
 /// Names of the scenes that need no file from the user.
 const std::vector<std::string>& SceneNames();
 
+/// Greatest side of a raster; of a larger one its middle counts.
+constexpr std::ptrdiff_t LargestSide = 2048;
+
 /// A scene of SceneNames() with size x size posts (helens has its own size), or any raster that
 /// GDAL opens. std::runtime_error with a one-line reason.
 Scene MakeScene(const std::string& nameOrFile, std::ptrdiff_t size);
+
+/// Hills under travelling waves, 0 <= time: seconds. "moving" is the one at time 0.
+oracle::OracleField MovingTerrain(std::ptrdiff_t size, double time);
 
 } // namespace benchmark
 } // namespace skyline

@@ -23,8 +23,8 @@ bool HasFourCells(const oracle::OracleField& field, std::ptrdiff_t column, std::
 
 } // namespace
 
-Truth::Truth(
-  const Scene& scene, std::ptrdiff_t posts, std::vector<double> azimuths, std::uint64_t seed)
+Truth::Truth(const Scene& scene, std::ptrdiff_t posts, std::vector<double> azimuths,
+  std::uint64_t seed, const WantsToStop& stop)
   : Azimuths(std::move(azimuths))
 {
   const oracle::OracleField& field = scene.Field;
@@ -46,17 +46,37 @@ Truth::Truth(
     const std::ptrdiff_t drawn = random.Below(static_cast<std::ptrdiff_t>(inside.size()));
     this->Posts.push_back(inside[static_cast<std::size_t>(drawn)]);
   }
-  this->Elevations.reserve(this->Azimuths.size() * this->Posts.size());
-  for (const double azimuth : this->Azimuths)
-  {
-    const oracle::Direction direction = oracle::DirectionOfAzimuth(azimuth);
-    for (const std::ptrdiff_t post : this->Posts)
+  this->Find(field, stop);
+}
+
+Truth::Truth(const Scene& scene, std::vector<std::ptrdiff_t> posts, std::vector<double> azimuths,
+  const WantsToStop& stop)
+  : Azimuths(std::move(azimuths))
+  , Posts(std::move(posts))
+{
+  this->Find(scene.Field, stop);
+}
+
+void Truth::Find(const oracle::OracleField& field, const WantsToStop& stop)
+{
+  const std::size_t count = this->Posts.size();
+  this->Elevations.resize(this->Azimuths.size() * count);
+  constexpr std::size_t part = 64; // posts at a time
+  const std::size_t parts = (count + part - 1) / part;
+  ForAll(
+    this->Azimuths.size() * parts,
+    [&](std::size_t work)
     {
-      const double slope =
-        oracle::HorizonSlope(field, post % field.Columns, post / field.Columns, direction);
-      this->Elevations.push_back(oracle::ElevationDegrees(slope));
-    }
-  }
+      const std::size_t azimuth = work / parts;
+      const oracle::Direction direction = oracle::DirectionOfAzimuth(this->Azimuths[azimuth]);
+      for (std::size_t i = work % parts * part; i < std::min(count, (work % parts + 1) * part); ++i)
+      {
+        const std::ptrdiff_t post = this->Posts[i];
+        this->Elevations[azimuth * count + i] = oracle::ElevationDegrees(
+          oracle::HorizonSlope(field, post % field.Columns, post / field.Columns, direction));
+      }
+    },
+    stop);
 }
 
 Errors ErrorSum::Get() const

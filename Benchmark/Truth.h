@@ -3,6 +3,7 @@
 #ifndef skyline_Truth_h
 #define skyline_Truth_h
 
+#include "Measure.h"
 #include "Result.h"
 #include "Scenes.h"
 
@@ -21,7 +22,12 @@ class Truth
 public:
   /// posts: how many, drawn with the seed from those with four complete cells around them: along
   /// the very edge of the data it is a matter of convention what a ray meets. azimuths: degrees.
-  Truth(const Scene& scene, std::ptrdiff_t posts, std::vector<double> azimuths, std::uint64_t seed);
+  Truth(const Scene& scene, std::ptrdiff_t posts, std::vector<double> azimuths, std::uint64_t seed,
+    const WantsToStop& stop = {});
+
+  /// The same for given posts.
+  Truth(const Scene& scene, std::vector<std::ptrdiff_t> posts, std::vector<double> azimuths,
+    const WantsToStop& stop = {});
 
   std::vector<double> Azimuths;      ///< degrees clockwise from grid north
   std::vector<std::ptrdiff_t> Posts; ///< row * columns + column
@@ -33,6 +39,8 @@ public:
   }
 
 private:
+  void Find(const oracle::OracleField& field, const WantsToStop& stop);
+
   std::vector<double> Elevations;
 };
 
@@ -41,7 +49,7 @@ class ErrorSum
 {
 public:
   void Add(double found, double right) { this->Differences.push_back(found - right); }
-  Errors Get() const;
+  Errors Get() const; ///< not finite differences make not finite errors
 
 private:
   std::vector<double> Differences;

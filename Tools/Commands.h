@@ -14,6 +14,7 @@ void AddSun(CLI::App& program);          ///< where the sun is, and which posts 
 void AddShadowHeight(CLI::App& program); ///< how high the shadow of the terrain stands
 void AddIrradiance(CLI::App& program);   ///< the light on every post, three bands
 void AddShade(CLI::App& program);        ///< a picture of the lit terrain
+void AddBenchmark(CLI::App& program);    ///< error against run time of every method, as a page
 
 } // namespace skyline
 

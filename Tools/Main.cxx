@@ -38,6 +38,7 @@ int Run(int argc, char** argv)
   skyline::AddShadowHeight(program);
   skyline::AddIrradiance(program);
   skyline::AddShade(program);
+  skyline::AddBenchmark(program);
   try
   {
     program.parse(argc, argv); // runs the command

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DeviceRun.h"
+
+#include "SceneImage.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkDataSet.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkOpenGLHeightFieldDevice.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace skyline
+{
+namespace benchmark
+{
+
+namespace
+{
+
+void KeepReason(vtkObject*, unsigned long, void* reason, void* message)
+{
+  auto& text = *static_cast<std::string*>(reason);
+  text = text.empty() ? static_cast<const char*>(message) : text;
+}
+
+} // namespace
+
+Result TimeUpdates(
+  vtkAlgorithm* filter, vtkImageData* heights, const Effort& effort, double count, int threads)
+{
+  std::string reason;
+  vtkNew<vtkCallbackCommand> keep;
+  keep->SetCallback(KeepReason);
+  keep->SetClientData(&reason);
+  filter->AddObserver(vtkCommand::ErrorEvent, keep);
+  if (threads == 1)
+  {
+    vtkSMPTools::SetBackend("Sequential");
+  }
+  else
+  {
+    vtkSMPTools::SetBackend("STDThread");
+    vtkSMPTools::Initialize(threads);
+  }
+  const PeakMemory memory;
+  Laps laps;
+  const double start = Now().Wall;
+  for (int repeat = 0;
+       repeat < effort.Repeats && (repeat == 0 || Now().Wall - start < effort.Seconds); ++repeat)
+  {
+    Touch(heights);
+    laps.NextRepeat();
+    laps.Search([&] { filter->Update(); });
+    if (!reason.empty())
+    {
+      const std::size_t object = reason.find("): "); // VTK puts place and object before the reason
+      throw std::runtime_error(object == std::string::npos ? reason : reason.substr(object + 3));
+    }
+  }
+  Result result;
+  result.FloatsPerPost = memory.FloatsPerPost(static_cast<double>(heights->GetNumberOfPoints()));
+  laps.Report(result, count);
+  result.PrepareNs = result.SearchNs = NotMeasured;
+  result.Threads = threads;
+  result.Ran = true;
+  return result;
+}
+
+void RequireDevice(vtkOpenGLHeightFieldDevice* device)
+{
+  if (!device->IsAvailable())
+  {
+    throw std::runtime_error("no OpenGL context: " + device->GetReason());
+  }
+}
+
+void CheckOnDevice(bool onDevice)
+{
+  if (!onDevice)
+  {
+    throw std::runtime_error("the graphics processor could not, the host did");
+  }
+}
+
+void KeepWallOnly(Result& result)
+{
+  result.TotalNs = result.TotalMedianNs = result.ColdNs = result.FloatsPerPost = NotMeasured;
+  result.Threads = NotMeasured;
+}
+
+} // namespace benchmark
+} // namespace skyline

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Jobs.h"
+
+#include "DeviceRun.h"
+#include "EmbreeHorizon.h"
+#include "EveryCrossing.h"
+#include "GrassHorizon.h"
+#include "KernelMethods.h"
+#include "SceneImage.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkOpenGLHeightFieldDevice.h"
+#include "vtkOpenGLHeightFieldHorizon.h"
+#include "vtkPointData.h"
+
+#include <cstdio>
+
+namespace skyline
+{
+namespace benchmark
+{
+
+namespace
+{
+
+constexpr std::size_t ThinEvery = 8; // every crossing is slow: every eighth azimuth
+constexpr int DeviceAzimuths = 16;   // half of the truth's
+
+Result MeasureDevice(Stage& stage, bool pyramid)
+{
+  const Truth& truth = stage.Horizons();
+  const auto image = ImageOf(stage.Scene.Field);
+  vtkNew<vtkOpenGLHeightFieldHorizon> filter;
+  RequireDevice(filter->GetDevice());
+  filter->SetInputData(image);
+  filter->SetNumberOfAzimuths(DeviceAzimuths);
+  filter->SetMethod(pyramid ? vtkHeightFieldAlgorithm::PYRAMID : vtkHeightFieldAlgorithm::EXACT);
+  const auto posts = static_cast<double>(stage.Scene.Field.Heights.size());
+  Result result =
+    TimeUpdates(filter, image, stage.Work, posts * static_cast<double>(DeviceAzimuths));
+  CheckOnDevice(filter->IsOnDevice());
+  KeepWallOnly(result);
+  auto* found =
+    vtkFloatArray::SafeDownCast(filter->GetOutput()->GetPointData()->GetArray("HorizonElevation"));
+  ErrorSum errors;
+  const std::size_t step = truth.Azimuths.size() / DeviceAzimuths;
+  for (int k = 0; k < DeviceAzimuths; ++k)
+  {
+    for (std::size_t post = 0; post < truth.Posts.size(); ++post)
+    {
+      errors.Add(static_cast<double>(found->GetTypedComponent(truth.Posts[post], k)),
+        truth.Elevation(static_cast<std::size_t>(k) * step, post));
+    }
+  }
+  result.Error = errors.Get();
+  std::snprintf(result.Reason, sizeof result.Reason, "%s",
+    filter->GetDevice()->GetName().substr(0, 150).c_str());
+  return result;
+}
+
+} // namespace
+
+void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much)
+{
+  const auto add = [&](const char* kind, const std::string& label, const std::string& settings,
+                     int turn, const std::function<Result()>& measure)
+  {
+    AddJob(
+      jobs, stage, "horizon", kind, label, settings, turn, [stage] { stage->Horizons(); }, measure);
+  };
+  const auto kernel = [&](const char* kind, const std::string& label, const std::string& settings,
+                        int turn, const HorizonSettings& how)
+  {
+    add(kind, label, settings, turn,
+      [stage, how]
+      {
+        return MeasureKernel(
+          stage->Scene, stage->Horizons(),
+          [&](const HeightField& field) { return MakeHorizonMethod(field, how); },
+          stage->Work.Repeats, 1, stage->Work.Seconds);
+      });
+  };
+  HorizonSettings how;
+  kernel("exact", "exact", "tolerance 0", 0, how);
+  how.Method = HorizonMethodKind::Fast;
+  kernel("fast", "fast", "certified to 0.25 degrees", 0, how);
+  how.Method = HorizonMethodKind::Sweep;
+  kernel("sweep", "sweep", "as published, resampled to the posts", 0, how);
+  how.Method = HorizonMethodKind::Pyramid;
+  kernel("pyramid", "pyramid", "k = 4, o = 2, b-spline", 0, how);
+  how.Pyramid.Spline = false;
+  kernel("pyramid", "pyramid, max", "k = 4, o = 2, greatest level alone", 0, how);
+  add("every", "every crossing", "plain loops, every eighth azimuth", 0,
+    [stage]
+    {
+      return MeasureKernel(
+        stage->Scene, stage->Horizons(),
+        [](const HeightField& field)
+        { return std::make_unique<EveryCrossing>(field, HorizonSettings()); },
+        stage->Work.Repeats, ThinEvery, stage->Work.Seconds);
+    });
+  for (const double accuracy : { 0.25, 0.01 })
+  {
+    char label[40];
+    std::snprintf(label, sizeof label, "Embree %.2f°", accuracy);
+    add("embree", label, "occlusion rays, bracket from the azimuth before", accuracy > 0.1 ? 0 : 1,
+      [stage, accuracy]
+      { return MeasureEmbree(stage->Scene, stage->Horizons(), accuracy, stage->Work.Repeats); });
+  }
+  add("grass", "GRASS r.horizon", "-d, whole raster, start and files included", 1,
+    [stage] { return MeasureGrass(stage->Scene, stage->Horizons(), 1); });
+  how = HorizonSettings();
+  for (const double tolerance : { 0.05, 1.0 })
+  {
+    how.Tolerance = tolerance * RadiansPerDegree;
+    char label[40];
+    std::snprintf(label, sizeof label, "exact, %.3g°", tolerance);
+    kernel("exact", label, "may fall short by the tolerance", 2, how);
+  }
+  if (!much)
+  {
+    return;
+  }
+  how = HorizonSettings();
+  how.Method = HorizonMethodKind::Pyramid;
+  for (const double step : { 2.0, 8.0 })
+  {
+    how.Pyramid.LevelStep = step;
+    char label[40];
+    std::snprintf(label, sizeof label, "pyramid k=%.0f", step);
+    kernel("pyramid", label, "o = 2, b-spline", 3, how);
+  }
+  how.Pyramid.LevelStep = 4.0;
+  for (const double offset : { 0.0, 4.0 })
+  {
+    how.Pyramid.LevelOffset = offset;
+    char label[40];
+    std::snprintf(label, sizeof label, "pyramid o=%.0f", offset);
+    kernel("pyramid", label, "k = 4, b-spline", 3, how);
+  }
+  add("gpu", "GPU exact", "16 azimuths, wall time", 4,
+    [stage] { return MeasureDevice(*stage, false); });
+  add("gpu", "GPU pyramid", "16 azimuths, k = 4, o = 2, wall time", 4,
+    [stage] { return MeasureDevice(*stage, true); });
+}
+
+} // namespace benchmark
+} // namespace skyline

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The measurements of every quantity on a scene, in one list.
+#ifndef skyline_Jobs_h
+#define skyline_Jobs_h
+
+#include "Job.h"
+#include "Stage.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace skyline
+{
+namespace benchmark
+{
+
+using StagePointer = std::shared_ptr<Stage>;
+
+/// A job on a stage; the other arguments are those of Task and Job.
+void AddJob(std::vector<Job>& jobs, const StagePointer& stage, const char* quantity,
+  const char* kind, const std::string& label, const std::string& settings, int turn,
+  std::function<void()> prepare, std::function<Result()> measure);
+
+/// much: further settings, and the graphics processor.
+void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much);
+void AddSkyJobs(std::vector<Job>& jobs, const StagePointer& stage);
+void AddThreadJobs(std::vector<Job>& jobs, const StagePointer& stage);
+void AddIrradianceJobs(std::vector<Job>& jobs, const StagePointer& stage);
+void AddSunJobs(std::vector<Job>& jobs, const StagePointer& stage);
+void AddLampJobs(std::vector<Job>& jobs, const StagePointer& stage);
+void AddFrameJobs(std::vector<Job>& jobs, const StagePointer& stage);
+
+} // namespace benchmark
+} // namespace skyline
+
+#endif

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Jobs.h"
+
+#include "HorizonTesting.h"
+#include "LampIrradiance.h"
+#include "Normals.h"
+
+#include <cstdio>
+#include <vector>
+
+namespace skyline
+{
+namespace benchmark
+{
+
+namespace
+{
+
+Result MeasureLamp(Stage& stage, const LampSettings& settings)
+{
+  const oracle::OracleField& field = stage.Scene.Field;
+  const Grid grid = testing::GridOf(field);
+  const HeightField posts = testing::FieldOf(field);
+  const auto count = field.Heights.size();
+  std::vector<float> east(count), north(count), light;
+  Gradients(
+    grid, [&](std::ptrdiff_t column, std::ptrdiff_t row) { return field.At(column, row); }, 0,
+    grid.Rows, east.data(), north.data());
+  const LampAt at = stage.Lamp();
+  Lamp lamp;
+  lamp.X = at.X;
+  lamp.Y = at.Y;
+  lamp.Z = at.Z - testing::BaseOf(field);
+  lamp.Radius = at.Radius;
+  Laps laps;
+  const PeakMemory memory;
+  const double start = Now().Wall;
+  for (int repeat = 0;
+       repeat < stage.Work.Repeats && (repeat == 0 || Now().Wall - start < stage.Work.Seconds);
+       ++repeat)
+  {
+    light.assign(3 * count, 0.0f);
+    laps.NextRepeat();
+    laps.Search(
+      [&]
+      {
+        const LampTerrain terrain(posts);
+        AddLampIrradiance(
+          terrain, grid, east.data(), north.data(), lamp, settings, 0, grid.Rows, light.data());
+      });
+  }
+  Result result;
+  result.FloatsPerPost = memory.FloatsPerPost(static_cast<double>(count));
+  laps.Report(result, static_cast<double>(count));
+  result.PrepareNs = result.SearchNs = NotMeasured;
+  const LightTruth& truth = stage.LampLight();
+  ErrorSum errors;
+  for (std::size_t i = 0; i < truth.Posts.size(); ++i)
+  {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      sum += static_cast<double>(light[3 * static_cast<std::size_t>(truth.Posts[i]) + c]);
+    }
+    errors.Add(100.0 * sum / truth.Mean, 100.0 * truth.Light[i] / truth.Mean);
+  }
+  result.Error = errors.Get();
+  result.Ran = true;
+  return result;
+}
+
+} // namespace
+
+void AddLampJobs(std::vector<Job>& jobs, const StagePointer& stage)
+{
+  for (const int azimuths : { 32, 8, 2 })
+  {
+    LampSettings settings;
+    settings.Azimuths = azimuths;
+    char label[40];
+    std::snprintf(label, sizeof label, "lamp, %d planes", azimuths);
+    char words[80];
+    std::snprintf(
+      words, sizeof words, "tolerance %.3g of the unshadowed light", settings.Tolerance);
+    AddJob(
+      jobs, stage, "lamp", "lamp", label, words, azimuths == 32 ? 1 : 2,
+      [stage] { stage->LampLight(); }, [stage, settings] { return MeasureLamp(*stage, settings); });
+  }
+  LampSettings loose;
+  loose.Azimuths = 8;
+  loose.Tolerance = 0.05;
+  AddJob(
+    jobs, stage, "lamp", "lamp", "lamp, loose", "8 planes, tolerance 0.05 of the unshadowed light",
+    2, [stage] { stage->LampLight(); }, [stage, loose] { return MeasureLamp(*stage, loose); });
+}
+
+} // namespace benchmark
+} // namespace skyline

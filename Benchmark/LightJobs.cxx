@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Jobs.h"
+
+#include "ClearSky.h"
+#include "DeviceRun.h"
+#include "External.h"
+#include "LightTable.h"
+#include "SceneImage.h"
+
+#include "vtkFloatArray.h"
+#include "vtkHeightFieldIrradiance.h"
+#include "vtkHeightFieldSkyView.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkOpenGLHeightFieldDevice.h"
+#include "vtkOpenGLHeightFieldIrradiance.h"
+#include "vtkPointData.h"
+
+#include <cstdio>
+#include <string>
+#include <thread>
+
+namespace skyline
+{
+namespace benchmark
+{
+
+namespace
+{
+
+vtkFloatArray* ArrayOf(vtkAlgorithm* filter, const char* name)
+{
+  auto* image = vtkImageData::SafeDownCast(filter->GetOutputDataObject(0));
+  return vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(name));
+}
+
+vtkSmartPointer<vtkHeightFieldSkyView> MakeSkyView(int method, int azimuths)
+{
+  vtkNew<vtkHeightFieldSkyView> filter;
+  filter->SetMethod(method);
+  filter->SetNumberOfAzimuths(azimuths);
+  filter->SkyViewFactorHorizontalOff();
+  filter->VisibleSkyFractionOff();
+  filter->PositiveOpennessOff();
+  return filter;
+}
+
+Result MeasureSky(Stage& stage, int method, int azimuths)
+{
+  const auto filter = MakeSkyView(method, azimuths);
+  const auto image = ImageOf(stage.Scene.Field);
+  filter->SetInputData(image);
+  Result result =
+    TimeUpdates(filter, image, stage.Work, static_cast<double>(stage.Scene.Field.Heights.size()));
+  const Truth& truth = stage.DenseHorizons();
+  ErrorSum errors;
+  for (std::size_t i = 0; i < truth.Posts.size(); ++i)
+  {
+    errors.Add(static_cast<double>(ArrayOf(filter, "SkyViewFactor")->GetValue(truth.Posts[i])),
+      stage.SkyView()[i]);
+  }
+  result.Error = errors.Get();
+  return result;
+}
+
+// Sectors of rays from cell to cell.
+Result MeasureSagaSky(Stage& stage, int sectors)
+{
+  const oracle::OracleField& field = stage.Scene.Field;
+  const ScratchFolder folder;
+  WriteSagaGrid(field, folder.File("heights"));
+  const Cost cost = RunProgram({ "saga_cmd", "-c=1", "ta_lighting", "3",
+    "-DEM=" + folder.File("heights.sgrd"), "-VISIBLE=" + folder.File("visible.sgrd"),
+    "-SVF=" + folder.File("sky.sgrd"), "-RADIUS=1e9", "-NDIRS=" + std::to_string(sectors) });
+  const std::vector<float> found = ReadSagaGrid(field, folder.File("sky"));
+  ErrorSum errors;
+  const Truth& truth = stage.DenseHorizons();
+  for (std::size_t i = 0; i < truth.Posts.size(); ++i)
+  {
+    errors.Add(
+      static_cast<double>(found[static_cast<std::size_t>(truth.Posts[i])]), stage.SkyView()[i]);
+  }
+  Result result;
+  Laps laps;
+  laps.Add({}, { cost.Cpu, cost.Wall });
+  laps.Report(result, static_cast<double>(field.Heights.size()));
+  result.PrepareNs = result.SearchNs = NotMeasured;
+  result.Error = errors.Get();
+  result.Ran = true;
+  return result;
+}
+
+// Red, green and blue together, in per cent of the mean.
+Errors LightErrors(vtkFloatArray* found, const LightTruth& truth)
+{
+  ErrorSum errors;
+  for (std::size_t i = 0; i < truth.Posts.size(); ++i)
+  {
+    double sum = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      sum += static_cast<double>(found->GetTypedComponent(truth.Posts[i], c));
+    }
+    errors.Add(100.0 * sum / truth.Mean, 100.0 * truth.Light[i] / truth.Mean);
+  }
+  return errors.Get();
+}
+
+struct LightSettings
+{
+  bool Harmonics = false;
+  int Count = 128; // azimuths
+  int Bands = 4;
+  int Method = vtkHeightFieldAlgorithm::EXACT;
+  bool Keep = false; // horizons
+};
+
+void Apply(const LightSettings& how, vtkHeightFieldIrradiance* filter)
+{
+  filter->SetLightMethod(
+    how.Harmonics ? vtkHeightFieldIrradiance::HARMONICS : vtkHeightFieldIrradiance::TABLE);
+  filter->SetNumberOfAzimuths(how.Count);
+  filter->SetHarmonicBands(how.Bands);
+  filter->SetMethod(how.Method);
+  filter->SetKeepHorizons(how.Keep);
+}
+
+// The light alone changes.
+double RelightNs(
+  vtkHeightFieldIrradiance* filter, vtkSkylineEnvironmentLight* sky, const Effort& effort)
+{
+  Laps laps;
+  const double start = Now().Wall;
+  for (int repeat = 0;
+       repeat < effort.Repeats && (repeat == 0 || Now().Wall - start < effort.Seconds); ++repeat)
+  {
+    sky->SetSunAzimuth(140.0 + 10.0 * repeat);
+    sky->GetLightMap(); // the sky is drawn by the light, not by the filter
+    laps.NextRepeat();
+    laps.Search([&] { filter->Update(); });
+  }
+  Result result;
+  laps.Report(result, static_cast<double>(filter->GetOutput()->GetNumberOfPoints()));
+  return result.TotalMedianNs;
+}
+
+Result MeasureIrradiance(Stage& stage, vtkHeightFieldIrradiance* filter, const LightSettings& how)
+{
+  const auto image = ImageOf(stage.Scene.Field);
+  const auto sky = MakeClearSky();
+  Apply(how, filter);
+  filter->SetInputData(image);
+  filter->AddLight(sky);
+  sky->GetLightMap();
+  Result result =
+    TimeUpdates(filter, image, stage.Work, static_cast<double>(stage.Scene.Field.Heights.size()));
+  result.Error = LightErrors(ArrayOf(filter, "Irradiance"), stage.ClearSky());
+  result.RelightNs = RelightNs(filter, sky, stage.Work);
+  return result;
+}
+
+Result MeasureDeviceIrradiance(Stage& stage, const LightSettings& how)
+{
+  vtkNew<vtkOpenGLHeightFieldIrradiance> filter;
+  RequireDevice(filter->GetDevice());
+  Result result = MeasureIrradiance(stage, filter, how);
+  CheckOnDevice(filter->IsOnDevice());
+  KeepWallOnly(result);
+  result.RelightNs = NotMeasured;
+  std::snprintf(result.Reason, sizeof result.Reason, "%s",
+    filter->GetDevice()->GetName().substr(0, 150).c_str());
+  return result;
+}
+
+// What every frame of moving terrain takes: a new surface, new horizons, new light.
+Result MeasureFrames(Stage& stage, const LightSettings& how)
+{
+  vtkNew<vtkHeightFieldIrradiance> filter;
+  return MeasureIrradiance(stage, filter, how);
+}
+
+const struct
+{
+  const char* Name;
+  int Method;
+} Searches[] = { { "exact", vtkHeightFieldAlgorithm::EXACT },
+  { "fast", vtkHeightFieldAlgorithm::FAST }, { "sweep", vtkHeightFieldAlgorithm::SWEEP },
+  { "pyramid", vtkHeightFieldAlgorithm::PYRAMID } };
+
+} // namespace
+
+void AddSkyJobs(std::vector<Job>& jobs, const StagePointer& stage)
+{
+  const auto add = [&](const char* kind, const std::string& label, const std::string& settings,
+                     int turn, const std::function<Result()>& measure)
+  {
+    AddJob(
+      jobs, stage, "sky", kind, label, settings, turn, [stage] { stage->SkyView(); }, measure);
+  };
+  for (const int azimuths : { 16, 36, 72, 8, 180 })
+  {
+    for (const auto& search : Searches)
+    {
+      const int method = search.Method;
+      const bool ours =
+        method == vtkHeightFieldAlgorithm::EXACT || method == vtkHeightFieldAlgorithm::FAST;
+      if (ours || azimuths == 16 || azimuths == 36)
+      {
+        const bool first = azimuths == 16 || azimuths == 36;
+        add(search.Name, std::string(search.Name) + " " + std::to_string(azimuths),
+          std::to_string(azimuths) + " azimuths", first ? 1 : 2,
+          [stage, method, azimuths] { return MeasureSky(*stage, method, azimuths); });
+      }
+    }
+  }
+  for (const int sectors : { 8, 36 })
+  {
+    add("saga", "SAGA " + std::to_string(sectors),
+      "ta_lighting 3, whole radius, cell by cell, one thread, start and files included", 2,
+      [stage, sectors] { return MeasureSagaSky(*stage, sectors); });
+  }
+}
+
+void AddThreadJobs(std::vector<Job>& jobs, const StagePointer& stage)
+{
+  const int most = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  for (int threads = 1; threads <= most;
+       threads = threads < most ? std::min(2 * threads, most) : most + 1)
+  {
+    AddJob(
+      jobs, stage, "threads", "exact",
+      std::to_string(threads) + (threads == 1 ? " thread" : " threads"),
+      "sky view factor, 36 azimuths", 2, [] {},
+      [stage, threads]
+      {
+        constexpr int azimuths = 36;
+        const auto filter = MakeSkyView(vtkHeightFieldAlgorithm::EXACT, azimuths);
+        const auto image = ImageOf(stage->Scene.Field);
+        filter->SetInputData(image);
+        return TimeUpdates(filter, image, stage->Work,
+          static_cast<double>(stage->Scene.Field.Heights.size()), threads);
+      });
+  }
+}
+
+void AddIrradianceJobs(std::vector<Job>& jobs, const StagePointer& stage)
+{
+  const auto add = [&](const char* kind, const std::string& label, const std::string& settings,
+                     int turn, const std::function<Result()>& measure)
+  {
+    AddJob(
+      jobs, stage, "irradiance", kind, label, settings, turn, [stage] { stage->ClearSky(); },
+      measure);
+  };
+  const auto host = [&](const char* kind, const std::string& label, const std::string& settings,
+                      int turn, const LightSettings& how)
+  {
+    add(kind, label, settings, turn,
+      [stage, how]
+      {
+        vtkNew<vtkHeightFieldIrradiance> filter;
+        return MeasureIrradiance(*stage, filter, how);
+      });
+  };
+  LightSettings how;
+  for (const int count : { 32, 64, 16, 128 })
+  {
+    for (const auto& search : Searches)
+    {
+      if (search.Method == vtkHeightFieldAlgorithm::EXACT ||
+        search.Method == vtkHeightFieldAlgorithm::FAST || count == 32)
+      {
+        how.Count = count;
+        how.Method = search.Method;
+        host(search.Name, std::string(search.Name) + " " + std::to_string(count),
+          "tables, " + std::to_string(count) + " azimuths", count == 32 || count == 64 ? 1 : 2,
+          how);
+      }
+    }
+  }
+  how = LightSettings();
+  how.Harmonics = true;
+  how.Count = 32;
+  for (const int bands : { 4, 2, 3, 6, 8 })
+  {
+    how.Bands = bands;
+    host("harmonics", "SH " + std::to_string(bands) + ", exact",
+      "harmonics of " + std::to_string(bands) + " bands, 32 azimuths", bands == 4 ? 1 : 2, how);
+  }
+  how.Bands = 4;
+  how.Method = vtkHeightFieldAlgorithm::PYRAMID;
+  host("harmonics", "SH 4, pyramid", "harmonics of 4 bands, 32 azimuths", 1, how);
+  how.Count = 16;
+  add("gpu", "GPU SH 4, pyramid", "harmonics of 4 bands, 16 azimuths, wall time", 4,
+    [stage, how] { return MeasureDeviceIrradiance(*stage, how); });
+}
+
+void AddFrameJobs(std::vector<Job>& jobs, const StagePointer& stage)
+{
+  const auto add = [&](const char* kind, const std::string& label, const std::string& settings,
+                     const LightSettings& how)
+  {
+    AddJob(
+      jobs, stage, "frame", kind, label, settings, 1, [stage] { stage->ClearSky(); },
+      [stage, how] { return MeasureFrames(*stage, how); });
+  };
+  for (const auto& search : Searches)
+  {
+    LightSettings how;
+    how.Method = search.Method;
+    how.Count = 16;
+    how.Keep = true;
+    add(search.Name, std::string(search.Name) + ", table", "16 azimuths, horizons kept", how);
+    how.Keep = false;
+    how.Harmonics = true;
+    add(search.Name, std::string(search.Name) + ", SH 4", "16 azimuths, transfer kept", how);
+  }
+}
+
+} // namespace benchmark
+} // namespace skyline

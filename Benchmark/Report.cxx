@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Report.h"
+
+#include "Chart.h"
+#include "Figures.h"
+#include "Pareto.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace skyline
+{
+namespace benchmark
+{
+
+namespace
+{
+
+const char* const PageStyle = R"(
+:root{color-scheme:light dark;--back:#fff;--text:#1c1e21;--soft:#5b6168;--line:#d9dce0;--card:#f7f8f9}
+@media(prefers-color-scheme:dark){:root{--back:#16181b;--text:#e6e8ea;--soft:#a0a6ad;--line:#34383d;--card:#1e2125}}
+body{margin:0 auto;max-width:1160px;padding:24px 20px 60px;background:var(--back);color:var(--text);font:15px/1.5 system-ui,sans-serif}
+h1{font-size:26px;margin:0 0 4px}h2{font-size:20px;margin:40px 0 6px;border-top:1px solid var(--line);padding-top:22px}
+p{max-width:76ch;margin:8px 0}.soft{color:var(--soft)}code{font-size:13px}
+.charts{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,460px),1fr));gap:14px;margin:14px 0}
+figure{margin:0;background:var(--card);border:1px solid var(--line);border-radius:8px;padding:10px}
+figure svg{width:100%;height:auto;display:block}figcaption{font-weight:600}figcaption span{font-weight:400;color:var(--soft);font-size:13px;display:block}
+.wide{overflow-x:auto}table{border-collapse:collapse;font-size:13px;font-variant-numeric:tabular-nums}
+th,td{padding:3px 9px;text-align:right;border-bottom:1px solid var(--line);white-space:nowrap}th{color:var(--soft);font-weight:500;vertical-align:bottom;white-space:normal}
+td.w,th.w{text-align:left}summary{cursor:pointer;color:var(--soft);margin:8px 0}li{margin:3px 0;max-width:80ch}
+)";
+
+std::string DescriptionOf(const Session& session, const std::string& scene)
+{
+  const auto found = std::find_if(session.Scenes.begin(), session.Scenes.end(),
+    [&](const auto& entry) { return entry.first == scene; });
+  return found == session.Scenes.end() ? "" : found->second;
+}
+
+// Scenes on which a quantity was measured, in their order.
+std::vector<std::string> ScenesOf(const Session& session, const std::string& quantity)
+{
+  std::vector<std::string> scenes;
+  for (const auto& [scene, description] : session.Scenes)
+  {
+    const std::string& name = scene;
+    if (std::any_of(session.Findings.begin(), session.Findings.end(),
+          [&](const Finding& f) { return f.What.Quantity == quantity && f.What.Scene == name; }))
+    {
+      scenes.push_back(name);
+    }
+  }
+  return scenes;
+}
+
+void WriteCharts(std::ostream& out, const Session& session, const Quantity& quantity)
+{
+  std::string figures;
+  for (const std::string& scene : ScenesOf(session, quantity.Name))
+  {
+    const std::string chart =
+      DrawChart(ChartOf(session.Findings, quantity.Name, scene), ChartStyle());
+    if (!chart.empty())
+    {
+      figures += "<figure><figcaption>" + Escaped(scene) + "<span>" +
+        Escaped(DescriptionOf(session, scene)) + "</span></figcaption>" + chart + "</figure>\n";
+    }
+  }
+  if (!figures.empty())
+  {
+    out << "<div class=\"charts\">\n" << figures << "</div>\n";
+  }
+}
+
+void WriteTable(std::ostream& out, const Session& session, const Quantity& quantity, bool open)
+{
+  std::vector<const Finding*> rows;
+  for (const std::string& scene : ScenesOf(session, quantity.Name))
+  {
+    for (const Finding& finding : session.Findings)
+    {
+      if (finding.What.Quantity == quantity.Name && finding.What.Scene == scene &&
+        finding.Found.Ran)
+      {
+        rows.push_back(&finding);
+      }
+    }
+  }
+  if (rows.empty())
+  {
+    return;
+  }
+  std::vector<const Figure*> columns;
+  for (const Figure& figure : Figures())
+  {
+    if (figure.Head &&
+      std::any_of(rows.begin(), rows.end(),
+        [&](const Finding* row) { return std::isfinite(figure.Value(row->Found)); }))
+    {
+      columns.push_back(&figure);
+    }
+  }
+  out << "<details" << (open ? " open" : "") << "><summary>All figures: " << rows.size()
+      << " measurements, times in " << Escaped(quantity.Time) << "</summary><div class=\"wide\">"
+      << "<table><tr><th class=\"w\">scene</th><th class=\"w\">method</th>"
+      << "<th class=\"w\">settings</th>";
+  for (const Figure* column : columns)
+  {
+    out << "<th>" << Escaped(column->Head) << "</th>";
+  }
+  out << "<th class=\"w\">note</th></tr>\n";
+  for (const Finding* row : rows)
+  {
+    out << "<tr><td class=\"w\">" << Escaped(row->What.Scene) << "</td><td class=\"w\">"
+        << Escaped(row->What.Label) << "</td><td class=\"w\">" << Escaped(row->What.Settings)
+        << "</td>";
+    for (const Figure* column : columns)
+    {
+      out << "<td>" << Short(column->Value(row->Found)) << "</td>";
+    }
+    out << "<td class=\"w\">" << Escaped(row->Found.Reason) << "</td></tr>\n";
+  }
+  out << "</table></div></details>\n";
+}
+
+// What makes a method quick where it is the quicker.
+const char* WhyQuick(const std::string& kind)
+{
+  return kind == "sweep"
+    ? "a sweep visits every edge once, whatever the terrain, where the search has to walk more edges "
+      "the more of them tie"
+    : "the pyramid reads a fixed number of smoothed heights, whatever the terrain";
+}
+
+void WriteExceptions(std::ostream& out, const Session& session, const Quantity& quantity)
+{
+  std::size_t compared = 0;
+  for (const Finding& finding : session.Findings)
+  {
+    const std::string& kind = finding.What.Kind;
+    compared += finding.What.Quantity == quantity.Name && OnChart(finding) &&
+        (kind == "sweep" || kind == "pyramid")
+      ? 1
+      : 0;
+  }
+  if (compared == 0)
+  {
+    return;
+  }
+  std::vector<Exception> exceptions;
+  for (const Exception& exception : Exceptions(session.Findings))
+  {
+    if (exception.Paper->What.Quantity == quantity.Name)
+    {
+      exceptions.push_back(exception);
+    }
+  }
+  if (exceptions.empty())
+  {
+    out << "<p><b>Exact or fast beats sweep and pyramid everywhere here</b>: each of the "
+        << compared
+        << " points of these has one of ours that takes no more time and errs no more.</p>\n";
+    return;
+  }
+  out << "<p>Exact or fast beats sweep and pyramid in " << compared - exceptions.size() << " of "
+      << compared << " points. Not in these:</p><ul>\n";
+  for (const Exception& exception : exceptions)
+  {
+    const Finding& paper = *exception.Paper;
+    out << "<li>" << Escaped(paper.What.Scene) << ", " << Escaped(paper.What.Label) << ": "
+        << Short(TimeOf(paper)) << " ns, error " << Short(ErrorOf(paper));
+    if (exception.Nearest)
+    {
+      const Finding& ours = *exception.Nearest;
+      out << ". The quickest of ours that errs no more, " << Escaped(ours.What.Label) << ", takes "
+          << Short(TimeOf(ours)) << " ns and errs by " << Short(ErrorOf(ours)) << ": "
+          << WhyQuick(paper.What.Kind);
+    }
+    else
+    {
+      out << ". None of ours that ran errs less: more azimuths would";
+    }
+    out << ".</li>\n";
+  }
+  out << "</ul>\n";
+}
+
+void WriteSummary(std::ostream& out, const Session& session)
+{
+  const std::vector<Ratio> ratios = Ratios(session.Findings);
+  if (ratios.empty())
+  {
+    return;
+  }
+  out << "<h2>In short</h2>\n<div class=\"wide\"><table><tr><th class=\"w\">times faster, CPU</th>";
+  std::vector<std::string> scenes, names;
+  std::map<std::pair<std::string, std::string>, double> times;
+  for (const Ratio& ratio : ratios)
+  {
+    const auto add = [](std::vector<std::string>& list, const std::string& name)
+    {
+      if (std::find(list.begin(), list.end(), name) == list.end())
+      {
+        list.push_back(name);
+      }
+    };
+    add(scenes, ratio.Scene);
+    add(names, ratio.Name);
+    times[{ ratio.Name, ratio.Scene }] = ratio.Times;
+  }
+  for (const std::string& scene : scenes)
+  {
+    out << "<th>" << Escaped(scene) << "</th>";
+  }
+  out << "</tr>\n";
+  for (const std::string& name : names)
+  {
+    out << "<tr><td class=\"w\">" << Escaped(name) << "</td>";
+    for (const std::string& scene : scenes)
+    {
+      const auto found = times.find({ name, scene });
+      out << "<td>" << Short(found == times.end() ? NotMeasured : found->second) << "</td>";
+    }
+    out << "</tr>\n";
+  }
+  out << "</table></div>\n";
+}
+
+void WriteNotRun(std::ostream& out, const Session& session)
+{
+  std::map<std::string, std::vector<std::string>> reasons;
+  for (const Finding& finding : session.Findings)
+  {
+    if (!finding.Found.Ran)
+    {
+      const Task& task = finding.What;
+      const std::string reason = finding.Found.Reason;
+      reasons[task.Label + ": " + (reason.empty() ? "failed" : reason)].push_back(
+        task.Scene + " (" + task.Quantity + ")");
+    }
+  }
+  if (reasons.empty() && session.LeftOut.empty())
+  {
+    return;
+  }
+  out << "<h2>Not measured</h2>\n<ul>\n";
+  for (const auto& [reason, places] : reasons)
+  {
+    out << "<li>" << Escaped(reason) << " <span class=\"soft\">";
+    for (std::size_t k = 0; k < places.size(); ++k)
+    {
+      out << (k == 0 ? "" : ", ") << Escaped(places[k]);
+    }
+    out << "</span></li>\n";
+  }
+  if (!session.LeftOut.empty())
+  {
+    out << "<li>For want of time " << session.LeftOut.size()
+        << " measurements; a greater --budget makes them: <span class=\"soft\">";
+    std::map<std::string, int> counts;
+    for (const Task& task : session.LeftOut)
+    {
+      ++counts[task.Scene + " (" + task.Quantity + ")"];
+    }
+    const char* comma = "";
+    for (const auto& [place, count] : counts)
+    {
+      out << comma << Escaped(place) << " " << count;
+      comma = ", ";
+    }
+    out << "</span></li>\n";
+  }
+  out << "</ul>\n";
+}
+
+const char* Explanation(const std::string& quantity)
+{
+  static const std::map<std::string, const char*> texts{
+    { "horizon",
+      "The horizon of a post in an azimuth against every crossed edge in double precision. The dashed "
+      "line is the front: nothing that was measured is both quicker and more exact than a point on "
+      "it." },
+    { "sky",
+      "Against 360 exact horizons a post. The number at a label is that of azimuths (of SAGA: "
+      "sectors): few azimuths limit every method alike, so the horizon's own error shows only where "
+      "they are many." },
+    { "irradiance",
+      "Against every column of the light map above 360 exact horizons. SH: harmonics of so many "
+      "bands, which blur light but light again at once; the others are tables, with their azimuths." },
+    { "sun",
+      "Three suns, 10 to 35 degrees high, over a square in the middle of the scene: posts that are lit "
+      "where the truth is dark, or the reverse. SSIM, in the table, compares the shaded pictures." },
+    { "lamp",
+      "A ball above the middle of the scene, against 1024 rays a post in double precision." },
+    { "frame",
+      "Each frame has new heights, and nothing of the last one is used; \"new light alone\" in the "
+      "table is the same frame when only the light has moved." },
+    { "threads",
+      "The same work with more threads; wall time, which other work on the machine slows." }
+  };
+  const auto text = texts.find(quantity);
+  return text == texts.end() ? "" : text->second;
+}
+
+} // namespace
+
+std::string ReportPicture(const Session& session)
+{
+  const std::vector<std::string> scenes = ScenesOf(session, "horizon");
+  if (scenes.empty())
+  {
+    return "";
+  }
+  const bool hills = std::find(scenes.begin(), scenes.end(), "hills") != scenes.end();
+  const std::string scene = hills ? "hills" : scenes.front();
+  ChartStyle style;
+  style.Width = 760.0;
+  style.Height = 460.0;
+  style.Alone = true;
+  style.Title = "Horizons: error against run time, " + DescriptionOf(session, scene);
+  return DrawChart(ChartOf(session.Findings, "horizon", scene), style);
+}
+
+std::string ReportPage(const Session& session, const ReportOrigin& origin)
+{
+  std::ostringstream out;
+  out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+      << "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
+      << "<title>Skyline: error against run time</title><style>" << PageStyle << ChartCss()
+      << "</style></head><body>\n<h1>Error against run time</h1>\n<p class=\"soft\">"
+      << Escaped(origin.Program) << ", made by <code>" << Escaped(origin.Command) << "</code> in "
+      << Short(session.Seconds) << " s. Every figure on this page was measured in that run.</p>\n"
+      << "<div class=\"wide\"><table>\n";
+  for (const auto& [name, value] : session.Machine)
+  {
+    out << "<tr><th class=\"w\">" << Escaped(name) << "</th><td class=\"w\">" << Escaped(value)
+        << "</td></tr>\n";
+  }
+  out << "</table></div>\n";
+  WriteSummary(out, session);
+  for (const Quantity& quantity : Quantities())
+  {
+    if (ScenesOf(session, quantity.Name).empty())
+    {
+      continue;
+    }
+    out << "<h2>" << Escaped(quantity.Title) << "</h2>\n<p>" << Explanation(quantity.Name)
+        << "</p>\n";
+    WriteExceptions(out, session, quantity);
+    WriteCharts(out, session, quantity);
+    WriteTable(out, session, quantity, quantity.Name == "threads");
+  }
+  WriteNotRun(out, session);
+  out
+    << "<h2>How it was measured</h2>\n<ul>\n"
+       "<li>Every measurement is a process of its own. Times are CPU time of one thread, the median "
+       "of the runs; the first run of a process is the cold one. The graphics processor's times, and "
+       "those of threads, are wall time. Another program's times include its start and its files.</li>\n"
+       "<li>Errors are found less true. 99.9 %: so many of the absolute errors are no greater. Posts "
+       "are drawn by lot from those with a cell on all four sides; every scene is flat, and its "
+       "surface the triangles that VTK draws.</li>\n"
+       "<li>Peak memory is beyond the heights that are given.</li>\n"
+       "<li>Runs on a busy machine scatter: compare within a page, and look at the load "
+       "above.</li>\n</ul>\n</body></html>\n";
+  return out.str();
+}
+
+} // namespace benchmark
+} // namespace skyline

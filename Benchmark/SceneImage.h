@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The height field of a scene as a filter takes it.
+#ifndef skyline_SceneImage_h
+#define skyline_SceneImage_h
+
+#include "Oracle.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkImageData;
+
+namespace skyline
+{
+namespace benchmark
+{
+
+/// One scalar array "Elevation", float, metres; flat: no georeference.
+vtkSmartPointer<vtkImageData> ImageOf(const oracle::OracleField& field);
+
+/// The heights of an image that has changed: every filter behind it has to run again.
+void SetHeights(vtkImageData* image, const oracle::OracleField& field);
+
+/// Tells the filters that the heights have changed, though they have not.
+void Touch(vtkImageData* image);
+
+} // namespace benchmark
+} // namespace skyline
+
+#endif

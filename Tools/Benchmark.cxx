@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Commands.h"
+
+#include "AtomicFile.h"
+#include "Failure.h"
+#include "Interrupt.h"
+#include "Options.h"
+#include "Report.h"
+#include "Scenes.h"
+#include "Session.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <unistd.h>
+
+namespace
+{
+
+namespace fs = std::filesystem;
+using namespace skyline::benchmark;
+
+constexpr int LeastSize = 32;  // of a made scene: below, no window of posts is left
+constexpr int MostSize = 4096; // above, the truth takes longer than the methods
+
+// As the user typed it, words with spaces in quotes.
+std::string CommandLine()
+{
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::string words, word;
+  while (std::getline(file, word, '\0'))
+  {
+    word = words.empty() ? fs::path(word).filename().string() : word;
+    const bool plain = !word.empty() && word.find_first_of(" \t\"'") == std::string::npos;
+    words += (words.empty() ? "" : " ") + (plain ? word : "'" + word + "'");
+  }
+  return words;
+}
+
+// The folder of the report; one that was made here goes again unless it was filled.
+class ReportFolder
+{
+public:
+  explicit ReportFolder(const std::string& path)
+    : Path(path)
+  {
+    std::error_code error;
+    if (fs::exists(path) && !fs::is_directory(path))
+    {
+      throw skyline::Failure(path + " is a file; name a folder for the report");
+    }
+    this->Made = fs::create_directory(path, error);
+    if (error)
+    {
+      throw skyline::Failure("cannot make the folder " + path + ": " + error.message());
+    }
+    if (::access(path.c_str(), W_OK | X_OK) != 0)
+    {
+      throw skyline::Failure("no permission to write in the folder " + path);
+    }
+  }
+  ~ReportFolder()
+  {
+    std::error_code ignored;
+    if (this->Made && !this->Filled)
+    {
+      fs::remove(this->Path, ignored); // a folder that is not empty stays
+    }
+  }
+  ReportFolder(const ReportFolder&) = delete;
+  ReportFolder& operator=(const ReportFolder&) = delete;
+
+  // All files appear, or as long as none is in place, none.
+  void Fill(const std::vector<std::pair<std::string, std::string>>& texts)
+  {
+    std::vector<std::unique_ptr<skyline::AtomicFile>> files;
+    for (const auto& [name, text] : texts)
+    {
+      files.push_back(
+        std::make_unique<skyline::AtomicFile>((fs::path(this->Path) / name).string()));
+      std::ofstream out(files.back()->GetPath(), std::ios::binary);
+      out << text;
+      if (!out.flush())
+      {
+        files.back()->Fail("no text could be written");
+      }
+    }
+    skyline::StopIfInterrupted();
+    for (const auto& file : files)
+    {
+      file->Commit();
+    }
+    this->Filled = true;
+  }
+
+private:
+  std::string Path;
+  bool Made = false;
+  bool Filled = false;
+};
+
+struct BenchmarkCommand
+{
+  SessionOptions Options;
+  std::string Folder;
+  skyline::Talk Talk;
+
+  void Run(const std::string& words)
+  {
+    skyline::PrepareVtk(this->Talk);
+    if (this->Options.Scenes.empty())
+    {
+      this->Options.Scenes = SceneNames();
+    }
+    else if (this->Options.Scenes == std::vector<std::string>{ "none" })
+    {
+      this->Options.Scenes.clear();
+    }
+    if (this->Options.Scenes.empty() && this->Options.Rasters.empty())
+    {
+      throw skyline::Failure("nothing to measure: no scene and no DEM");
+    }
+    ReportFolder folder(this->Folder);
+    const bool shown = !this->Talk.Quiet && isatty(STDERR_FILENO) != 0;
+    const Session session = RunSession(
+      this->Options,
+      [&](std::size_t done, std::size_t all, const std::string& what)
+      {
+        if (shown)
+        {
+          std::fprintf(stderr, "\r\033[K%zu of %zu, %3.0f s at most: %.50s", done + 1, all,
+            this->Options.Budget, what.c_str());
+        }
+      },
+      skyline::Interrupted);
+    if (shown)
+    {
+      std::fputs("\r\033[K", stderr);
+    }
+    skyline::StopIfInterrupted();
+    const ReportOrigin origin{ "skyline " SKYLINE_VERSION, words };
+    std::vector<std::pair<std::string, std::string>> files{ { "index.html",
+                                                              ReportPage(session, origin) },
+      { "results.csv", ReportCsv(session) }, { "results.json", ReportJson(session, origin) } };
+    const std::string picture = ReportPicture(session);
+    if (!picture.empty())
+    {
+      files.emplace_back("pareto.svg", picture);
+    }
+    folder.Fill(files);
+    if (!this->Talk.Quiet)
+    {
+      std::printf("%s: %zu measurements in %.0f s, %zu left out for want of time\n",
+        (fs::path(this->Folder) / "index.html").c_str(), session.Findings.size(), session.Seconds,
+        session.LeftOut.size());
+    }
+  }
+};
+
+} // namespace
+
+namespace skyline
+{
+
+void AddBenchmark(CLI::App& program)
+{
+  CLI::App* app =
+    program.add_subcommand("benchmark", "Error against run time of every method, as a page");
+  const auto command = std::make_shared<BenchmarkCommand>();
+  app->footer(
+    "Writes a folder: index.html with charts and all figures, results.csv, results.json, and the\n"
+    "main chart as pareto.svg. Truth is every crossed edge in double precision, at posts drawn by "
+    "lot.\nGRASS, SAGA and gdaldem join where they are installed, Embree where it was when skyline "
+    "was built.\nTimes are CPU time of one thread: other work on the machine disturbs them, but "
+    "all alike.");
+  app
+    ->add_option("DEM", command->Options.Rasters,
+      "Rasters of heights that become scenes; of large ones the middle 2048 x 2048 posts")
+    ->type_name("");
+  app->add_option("-o,--output", command->Folder, "Folder for the report; made if missing")
+    ->required()
+    ->type_name("DIR");
+  std::vector<std::string> scenes = SceneNames();
+  scenes.emplace_back("none");
+  app
+    ->add_option("--scenes", command->Options.Scenes,
+      "Made scenes and the bundled DEM, separated by commas; none: only the DEMs. Default: all")
+    ->delimiter(',')
+    ->allow_extra_args(false)
+    ->type_name("NAME,...")
+    ->check(CLI::IsMember(scenes));
+  app->add_option("--methods", command->Options.Kinds, "Methods, separated by commas. Default: all")
+    ->delimiter(',')
+    ->allow_extra_args(false)
+    ->type_name("NAME,...")
+    ->check(CLI::IsMember(Kinds()));
+  app
+    ->add_option("--sizes", command->Options.Sizes,
+      "Posts of a side of the made scenes, separated by commas; 32 to 4096")
+    ->delimiter(',')
+    ->allow_extra_args(false)
+    ->type_name("N,...")
+    ->check(CLI::Range(LeastSize, MostSize))
+    ->capture_default_str();
+  app
+    ->add_option("--budget", command->Options.Budget,
+      "Seconds after which no measurement begins; what matters most is measured first")
+    ->type_name("SECONDS")
+    ->check(CLI::NonNegativeNumber)
+    ->capture_default_str();
+  app->add_flag("-q,--quiet", command->Talk.Quiet, "No progress, no last line");
+  app->callback([command] { command->Run(CommandLine()); });
+}
+
+} // namespace skyline
