@@ -47,7 +47,7 @@ def run(command):
     """Runs a line of the page in OUTPUT."""
     environment = dict(os.environ, dem=os.path.join(SOURCE, "Testing/Data/dem/SainteHelens.tif"),
                        maps=os.path.join(SOURCE, "Testing/Data/light-maps"))
-    command = command.replace("build/bin/", BIN + "/").replace("Examples/", SOURCE + "/Examples/")
+    command = command.replace("build/bin/", f"{BIN}/").replace(" Examples/", f" {SOURCE}/Examples/")
     command = command.replace("python3 ", shlex.quote(sys.executable) + " ")
     done = subprocess.run(["bash", "-ec", command], cwd=OUTPUT, env=environment,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -83,9 +83,8 @@ def check_sun_over_a_day(picture, said):
 
 
 def check_hdr_environment(picture, said):
-    other = os.path.join(OUTPUT, "turned.png")
-    run(command_of("HdrEnvironment").replace("hdr-environment.png 240", other + " 60"))
-    turned = read(other)
+    run(command_of("HdrEnvironment").replace("hdr-environment.png 240", "turned.png 60"))
+    turned = read(os.path.join(OUTPUT, "turned.png"))
     west, east = (slice(190, 230), slice(280, 340)), (slice(190, 230), slice(460, 520))
     slopes = [grey(p)[side].mean() for p in (picture, turned) for side in (west, east)]
     assert slopes[0] > slopes[1] + 8.0 and slopes[3] > slopes[2] + 8.0, slopes
