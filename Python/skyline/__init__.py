@@ -14,6 +14,7 @@ skyline.Error with the message of the class that failed.
 And the VTK classes themselves, which behave like every wrapped class of VTK:
 
     reader = skyline.vtkHeightFieldReader()                        # help(skyline.vtkHeightFieldHorizon)
+    skyline.update(reader)                                         # as reader.Update(), but errors are raised
 """
 
 # The base classes of the wrapped ones must be known to Python first.
@@ -27,4 +28,4 @@ from .SkylineRendering import *  # noqa: F401,F403
 from ._doors import Options  # noqa: F401
 from ._doors import horizon, irradiance, shadow_height, sky_view, sun_position, sun_visibility  # noqa: F401
 from ._images import read, to_array, to_image, write  # noqa: F401
-from ._run import Error  # noqa: F401
+from ._run import Error, update  # noqa: F401

@@ -24,10 +24,22 @@ def _reason(text: str) -> str:
     return re.sub(r"^\w+ \(0x[0-9a-f]+\): ", "", " ".join(lines).strip())
 
 
+def _pipeline(algorithm: vtkAlgorithm) -> list[vtkAlgorithm]:
+    """The algorithm and all that it takes its input from."""
+    found = [algorithm]
+    for part in found:  # which grows
+        for port in range(part.GetNumberOfInputPorts()):
+            for connection in range(part.GetNumberOfInputConnections(port)):
+                source = part.GetInputAlgorithm(port, connection)
+                if source is not None and source not in found:
+                    found.append(source)
+    return found
+
+
 @contextmanager
-def _stopped_by_interrupt(algorithm: vtkAlgorithm) -> Iterator[None]:
+def _stopped_by_interrupt(algorithms: list[vtkAlgorithm]) -> Iterator[None]:
     """VTK ends the program when a Python observer raises KeyboardInterrupt, so none may arise there:
-    a signal asks the algorithm to stop, and its handler is called afterwards."""
+    a signal asks the algorithms to stop, and its handler is called afterwards."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -36,20 +48,24 @@ def _stopped_by_interrupt(algorithm: vtkAlgorithm) -> Iterator[None]:
 
     def stop(number: int, frame: Any) -> None:
         caught.append((number, frame))
-        algorithm.SetAbortExecute(1)
+        for algorithm in algorithms:
+            algorithm.SetAbortExecute(1)
 
     if callable(before):
         signal.signal(signal.SIGINT, stop)
     # Python looks for signals when it runs, and in the midst of VTK that is here.
-    tag = algorithm.AddObserver("ProgressEvent", lambda caller, event: None)
+    tags = [one.AddObserver("ProgressEvent", lambda caller, event: None) for one in algorithms]
     try:
         yield
     finally:
-        algorithm.RemoveObserver(tag)
+        for algorithm, tag in zip(algorithms, tags):
+            algorithm.RemoveObserver(tag)
         if callable(before):
             signal.signal(signal.SIGINT, before)
             if caught:
-                algorithm.SetAbortExecute(0)
+                for algorithm in algorithms:
+                    algorithm.SetAbortExecute(0)
+                    algorithm.Modified()  # what was stopped has no result
                 before(*caught[0])
 
 
@@ -74,7 +90,29 @@ def reported(*speakers: Any) -> Iterator[None]:
         raise Error(reasons[0])
 
 
-def run(algorithm: vtkAlgorithm, update: Any = None) -> None:
-    """Updates the algorithm, or calls `update`; raises Error with what it reports."""
-    with reported(algorithm, algorithm.GetExecutive()), _stopped_by_interrupt(algorithm):
-        (update or algorithm.Update)()
+def run(algorithm: vtkAlgorithm, call: Any = None) -> None:
+    """Updates the algorithm, or makes the call that does; raises Error with what is reported."""
+    algorithms = _pipeline(algorithm)
+    speakers = algorithms + [one.GetExecutive() for one in algorithms]
+    with reported(*speakers), _stopped_by_interrupt(algorithms):
+        (call or algorithm.Update)()
+
+
+def update(algorithm: vtkAlgorithm) -> None:
+    """Updates a pipeline of VTK classes: an error of any of them is raised, Ctrl-C stops it.
+
+    algorithm   the pipeline's end, for which Update() would print errors and could not be stopped
+
+    >>> reader = vtkHeightFieldReader()
+    >>> reader.SetFileName("nosuch.tif")
+    >>> sky = vtkHeightFieldSkyView()
+    >>> sky.SetInputConnection(reader.GetOutputPort())
+    >>> try:
+    ...     update(sky)
+    ... except Error as reason:
+    ...     print(str(reason)[:24])
+    cannot read 'nosuch.tif'
+    """
+    if not isinstance(algorithm, vtkAlgorithm):
+        raise TypeError(f"algorithm is {algorithm!r}; give a vtkAlgorithm")
+    run(algorithm)

@@ -37,8 +37,8 @@ def grey(picture):
 
 def command_of(name):
     """The line of the page that runs the program."""
-    page = open(os.path.join(SOURCE, "Documentation", "examples.md"), encoding="utf-8").read()
-    lines = [line.strip() for line in page.splitlines() if line.startswith("    ") and name in line]
+    with open(os.path.join(SOURCE, "Documentation", "examples.md"), encoding="utf-8") as page:
+        lines = [line.strip() for line in page if line.startswith("    ") and name in line]
     assert len(lines) == 1, (name, lines)
     return lines[0]
 

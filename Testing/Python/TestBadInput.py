@@ -163,24 +163,50 @@ class Quiet(unittest.TestCase):
             "        pass\n")
         self.assertEqual((done.returncode, done.stdout), (0, ""))
 
+    def test_errors_anywhere_in_a_pipeline(self):
+        done = self.run_code(
+            "source = skyline.vtkHeightFieldReader()\n"
+            "source.SetFileName('nosuch.tif')\n"
+            "sun = skyline.vtkHeightFieldSunShadow()\n"
+            "sun.SetInputConnection(source.GetOutputPort())\n"
+            "sky = skyline.vtkHeightFieldSkyView()\n"
+            "sky.SetInputConnection(sun.GetOutputPort())\n"
+            "try:\n"
+            "    skyline.update(sky)\n"
+            "except skyline.Error as reason:\n"
+            "    print('nosuch.tif' in str(reason))\n"
+            "try:\n"
+            "    skyline.update(5)\n"
+            "except TypeError as reason:\n"
+            "    print(reason)\n")
+        self.assertEqual(
+            (done.returncode, done.stdout), (0, "True\nalgorithm is 5; give a vtkAlgorithm\n"))
+
     def test_interrupt(self):
         code = ("import numpy as np, signal, sys, skyline\n"
                 "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
                 "z = np.random.default_rng(1).random((1200, 1200)) * 100.0\n"
-                "print('ready', flush=True)\n"
-                "try:\n"
-                "    skyline.sky_view(z, 1.0, 3600)\n"
-                "except KeyboardInterrupt:\n"
-                "    print('stopped', flush=True)\n"
+                "sun = skyline.vtkHeightFieldSkyView()\n"
+                "sun.SetInputData(skyline.to_image(z, 1.0))\n"
+                "sun.SetNumberOfAzimuths(3600)\n"
+                "sky = skyline.vtkHeightFieldSunShadow()\n"
+                "sky.SetInputConnection(sun.GetOutputPort())\n"
+                "for call in [lambda: skyline.sky_view(z, 1.0, 3600), lambda: skyline.update(sky)]:\n"
+                "    print('ready', flush=True)\n"
+                "    try:\n"
+                "        call()\n"
+                "    except KeyboardInterrupt:\n"
+                "        print('stopped', flush=True)\n"
                 "print(skyline.sky_view(z[:9, :9], 1.0, 4).shape)\n")
         with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True) as program:
-            self.assertEqual(program.stdout.readline(), "ready\n")
-            time.sleep(0.5)
-            start = time.monotonic()
-            program.send_signal(signal.SIGINT)
-            self.assertEqual(program.stdout.readline(), "stopped\n")
-            self.assertLess(time.monotonic() - start, PROMPT)
+            for _ in range(2):
+                self.assertEqual(program.stdout.readline(), "ready\n")
+                time.sleep(0.5)
+                start = time.monotonic()
+                program.send_signal(signal.SIGINT)
+                self.assertEqual(program.stdout.readline(), "stopped\n")
+                self.assertLess(time.monotonic() - start, PROMPT)
             self.assertEqual(program.stdout.read(), "(9, 9)\n", "and works on")
             self.assertEqual(program.wait(), 0)
 

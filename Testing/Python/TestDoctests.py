@@ -19,14 +19,14 @@ import skyline
 
 MODULES = [skyline._doors, skyline._images, skyline._check, skyline._lights, skyline._run]
 FUNCTIONS = ["horizon", "sky_view", "sun_visibility", "shadow_height", "irradiance", "sun_position",
-             "read", "write", "to_image", "to_array"]
+             "read", "write", "to_image", "to_array", "update"]
 
 
 class Doctests(unittest.TestCase):
     def test_examples(self):
         tried = 0
         for module in MODULES:
-            names = dict(vars(module), np=np, skyline=skyline)
+            names = {**vars(skyline), **vars(module), "np": np, "skyline": skyline}
             result = doctest.testmod(module, extraglobs=names, optionflags=doctest.NORMALIZE_WHITESPACE)
             self.assertEqual(result.failed, 0, module.__name__)
             tried += result.attempted
@@ -43,7 +43,8 @@ class Doctests(unittest.TestCase):
         self.assertTrue(os.path.exists(os.path.join(package, "py.typed")))
 
     def test_the_page(self):
-        page = open(os.path.join("Documentation", "python.md"), encoding="utf-8").read()
+        with open(os.path.join("Documentation", "python.md"), encoding="utf-8") as file:
+            page = file.read()
         blocks = re.findall(r"```python\n(.*?)```", page, re.S)
         self.assertEqual(len(blocks), 2)
         testing = os.path.abspath("Testing")
