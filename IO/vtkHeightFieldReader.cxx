@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldReader.h"
 
-#include "IoFailure.h"
 #include "RasterSource.h"
+#include "ReadGuard.h"
 #include "vtkSkylineGeoreference.h"
 
 #include "vtkDataArray.h"
@@ -16,7 +16,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <new>
 
 vtkStandardNewMacro(vtkHeightFieldReader);
 
@@ -33,43 +32,13 @@ vtkHeightFieldReader::~vtkHeightFieldReader()
 template <typename Work>
 bool vtkHeightFieldReader::Try(const Work& work)
 {
-  const std::string file = this->FileName ? this->FileName : "";
-  try
-  {
-    if (file.empty())
-    {
-      throw skyline::IoFailure(
-        vtkErrorCode::NoFileNameError, "no file to read; call SetFileName first");
-    }
-    work(file);
-    return true;
-  }
-  catch (const skyline::IoAborted&)
-  {
-    this->SetErrorCode(vtkErrorCode::UserError);
-  }
-  catch (const skyline::IoFailure& failure)
-  {
-    vtkErrorMacro(<< failure.what());
-    this->SetErrorCode(failure.GetCode());
-  }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorMacro(<< "cannot read '" << file << "': not enough memory; read a smaller extent");
-    this->SetErrorCode(vtkErrorCode::UnknownError);
-  }
-  catch (const std::exception& failure)
-  {
-    vtkErrorMacro(<< "cannot use '" << file << "': " << skyline::FirstLine(failure.what()));
-    this->SetErrorCode(vtkErrorCode::UnknownError);
-  }
-  return false;
+  this->SetErrorCode(skyline::GuardRead(this, this->FileName, "read a smaller extent", work));
+  return this->GetErrorCode() == vtkErrorCode::NoError;
 }
 
 int vtkHeightFieldReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
   return this->Try(
     [&](const std::string& file)
     {
@@ -91,7 +60,6 @@ int vtkHeightFieldReader::RequestInformation(
 int vtkHeightFieldReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
   vtkInformation* info = outputVector->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
   const bool done = this->Try(

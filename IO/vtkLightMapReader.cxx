@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLightMapReader.h"
 
-#include "IoFailure.h"
 #include "LightMapFile.h"
+#include "ReadGuard.h"
 #include "vtkLightMapImage.h"
 
 #include "vtkErrorCode.h"
@@ -15,8 +15,6 @@
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <exception>
-#include <new>
 #include <string>
 
 vtkStandardNewMacro(vtkLightMapReader);
@@ -34,39 +32,13 @@ vtkLightMapReader::~vtkLightMapReader()
 template <typename Work>
 bool vtkLightMapReader::Try(const Work& work)
 {
-  const std::string file = this->FileName ? this->FileName : "";
-  this->SetErrorCode(vtkErrorCode::NoError);
-  try
-  {
-    if (file.empty())
+  this->SetErrorCode(skyline::GuardRead(this, this->FileName, "give a smaller map",
+    [&](const std::string& file)
     {
-      throw skyline::IoFailure(
-        vtkErrorCode::NoFileNameError, "no file to read; call SetFileName first");
-    }
-    skyline::LightMapFile source(file);
-    work(source);
-    return true;
-  }
-  catch (const skyline::IoAborted&)
-  {
-    this->SetErrorCode(vtkErrorCode::UserError);
-  }
-  catch (const skyline::IoFailure& failure)
-  {
-    vtkErrorMacro(<< failure.what());
-    this->SetErrorCode(failure.GetCode());
-  }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorMacro(<< "cannot read '" << file << "': not enough memory; give a smaller map");
-    this->SetErrorCode(vtkErrorCode::UnknownError);
-  }
-  catch (const std::exception& failure)
-  {
-    vtkErrorMacro(<< "cannot use '" << file << "': " << skyline::FirstLine(failure.what()));
-    this->SetErrorCode(vtkErrorCode::UnknownError);
-  }
-  return false;
+      skyline::LightMapFile source(file);
+      work(source);
+    }));
+  return this->GetErrorCode() == vtkErrorCode::NoError;
 }
 
 int vtkLightMapReader::RequestInformation(
