@@ -48,6 +48,11 @@ int main(int argc, char* argv[])
   light->SetInputConnection(terrain->GetOutputPort());
   light->AddLight(environment);
   light->SetNumberOfAzimuths(64);
+  light->Update();
+  if (light->GetOutput()->GetNumberOfPoints() == 0)
+  {
+    return EXIT_FAILURE; // the reasons have been printed
+  }
 
   vtkNew<vtkHeightFieldSurface> surface;
   surface->SetInputConnection(terrain->GetOutputPort());
@@ -81,5 +86,5 @@ int main(int argc, char* argv[])
   writer->SetInputConnection(pixels->GetOutputPort());
   writer->SetFileName(argv[3]);
   writer->Write();
-  return light->GetOutput()->GetNumberOfPoints() > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return EXIT_SUCCESS;
 }
