@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The figures of SN08 and THESIS, each as a sheet of pictures, with its errors against direct
+// Figures of SN08, THESIS, SHM and TW10, each as a sheet of pictures, with its errors against direct
 // integration.
 #include "Sheet.h"
 #include "Studio.h"
@@ -51,6 +51,10 @@ int main(int argc, char** argv)
   {
     makers.push_back(std::move(maker));
   }
+  for (FigureMaker& maker : ShadowFigures())
+  {
+    makers.push_back(std::move(maker));
+  }
   std::vector<std::string> names;
   names.reserve(makers.size());
   for (const FigureMaker& maker : makers)
@@ -58,7 +62,7 @@ int main(int argc, char** argv)
     names.push_back(maker.Name);
   }
   CLI::App app("Makes the papers' figures and prints their errors, in per cent of the open light "
-               "(SN08) or of the root mean square irradiance (THESIS)");
+               "(SN08) or of the root mean square irradiance (THESIS, TW10)");
   std::string folder;
   std::vector<std::string> wanted;
   Scale scale;

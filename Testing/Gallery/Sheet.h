@@ -86,6 +86,9 @@ std::vector<FigureMaker> KeyFigures();
 /// THESIS's figures 6.1 to 6.5.
 std::vector<FigureMaker> LampFigures();
 
+/// SHM's figures of houses and of an aircraft in the shadow of the terrain, and TW10's figure 8.
+std::vector<FigureMaker> ShadowFigures();
+
 } // namespace gallery
 } // namespace skyline
 

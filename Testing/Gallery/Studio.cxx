@@ -158,17 +158,26 @@ Picture Studio::Draw(
   vtkNew<vtkActor> ground;
   ground->SetMapper(mapper);
   ground->GetProperty()->SetColor(GroundColor, GroundColor, GroundColor);
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(Paper, Paper, Paper);
-  renderer->AddActor(ground);
+  std::vector<vtkSmartPointer<vtkActor>> actors{ ground.Get() };
   for (const Bulb& bulb : look.Bulbs)
   {
-    renderer->AddActor(ActorOf(bulb));
+    actors.push_back(ActorOf(bulb));
+  }
+  return this->Draw(actors, PointsIn(surface->GetOutput()->GetPoints(), look.Region), look);
+}
+
+Picture Studio::Draw(
+  const std::vector<vtkSmartPointer<vtkActor>>& actors, vtkPoints* inside, const Look& look)
+{
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(Paper, Paper, Paper);
+  for (vtkActor* actor : actors)
+  {
+    renderer->AddActor(actor);
   }
   Standpoint from = look.From;
   from.Aspect = static_cast<double>(look.Width) / look.Height;
-  FitCamera(renderer->GetActiveCamera(),
-    { PointsIn(surface->GetOutput()->GetPoints(), look.Region) }, from);
+  FitCamera(renderer->GetActiveCamera(), { inside }, from);
   renderer->ResetCameraClippingRange();
 
   const int width = Samples * look.Width, height = Samples * look.Height;

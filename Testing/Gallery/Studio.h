@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+class vtkActor;
+class vtkPoints;
 class vtkRenderWindow;
 
 namespace skyline
@@ -48,6 +50,10 @@ public:
   /// The white terrain under an irradiance (three floats a post, pi: fully lit).
   Picture Draw(
     const oracle::OracleField& terrain, const std::vector<float>& irradiance, const Look& look);
+
+  /// Actors, from where the points are in the picture.
+  Picture Draw(
+    const std::vector<vtkSmartPointer<vtkActor>>& actors, vtkPoints* inside, const Look& look);
 
 private:
   vtkSmartPointer<vtkRenderWindow> Window;

@@ -206,6 +206,28 @@ TEST_F(Gallery, Lamps)
   EXPECT_EQ(scenes, 15);
 }
 
+TEST_F(Gallery, Shadows)
+{
+  const std::vector<std::string> figures{ "shm-8", "tw10-8" };
+  if (!this->Run(figures))
+  {
+    if (this->Missing)
+    {
+      GTEST_SKIP() << "no OpenGL context";
+    }
+    return;
+  }
+  for (const std::string& figure : figures)
+  {
+    ExpectPicture(figure);
+  }
+  for (const std::string radius : { "0.5", "5", "20" })
+  {
+    const std::string name = "radius " + radius + " degrees, ";
+    this->ExpectFalling("tw10-8", { name + "16 azimuths", name + "64 azimuths" }, "1024 azimuths");
+  }
+}
+
 /// The program's exit code after "<arguments>", without its output.
 int ExitOf(const std::string& arguments)
 {

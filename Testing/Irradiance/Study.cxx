@@ -3,10 +3,12 @@
 // horizon, at posts drawn by lot:
 //   SkylineIrradianceStudy DEM POSTS [COLUMN ROW COLUMNS ROWS] [MAP.hdr|MAP.exr]...
 // With four numbers, only that part of the DEM from its south-west post counts. A uniform sky, a
-// clear one and a map with one pixel of 1e5 times the mean are always measured.
+// clear one and a map with one pixel of 1e5 times the mean are always measured. Last comes a table of
+// azimuths that are placed where horizons vary.
 #include "../Filters/FilterTesting.h"
 #include "LightAzimuths.h"
 #include "LightTesting.h"
+#include "PlacedAzimuths.h"
 #include "PublishedTable.h"
 #include "SkyModel.h"
 
@@ -225,6 +227,61 @@ void Measure(const Terrain& terrain, const NamedMap& named)
   }
 }
 
+/// Even azimuths against ones placed by the horizons of every other post, and by each post's own; errors of
+/// the posts between, under a uniform sky.
+void MeasurePlaced(const Terrain& terrain)
+{
+  std::vector<AzimuthLight> lights;
+  for (std::size_t k = 0; k < terrain.Chosen.size(); ++k)
+  {
+    double ge = 0.0, gn = 0.0;
+    oracle::Gradient(terrain.Field, terrain.Chosen[k] % terrain.Field.Columns,
+      terrain.Chosen[k] / terrain.Field.Columns, ge, gn);
+    AzimuthLight light;
+    double sum = 0.0;
+    for (int a = 0; a < TruthAzimuths; ++a)
+    {
+      light.push_back(UniformLight(terrain.Horizon[k][static_cast<std::size_t>(a)],
+        -Pi + 2.0 * Pi * (a + 0.5) / TruthAzimuths, ge, gn));
+      sum += light.back();
+    }
+    for (double& value : light)
+    {
+      value *= TruthAzimuths / sum;
+    }
+    lights.push_back(std::move(light));
+  }
+  std::vector<const AzimuthLight*> known;
+  for (std::size_t k = 0; k < lights.size(); k += 2)
+  {
+    known.push_back(&lights[k]);
+  }
+  std::printf("\n| azimuths | even | placed by the field's horizons | by each post's own |\n"
+              "| --- | --- | --- | --- |\n");
+  for (const std::size_t count : { 32u, 64u, 128u, 256u })
+  {
+    std::vector<std::size_t> even;
+    for (std::size_t a = 0; a < TruthAzimuths; a += TruthAzimuths / count)
+    {
+      even.push_back(a);
+    }
+    const std::vector<std::size_t> placed = PlaceAzimuths(known, count);
+    std::vector<double> errors[3];
+    for (std::size_t k = 1; k < lights.size(); k += 2)
+    {
+      errors[0].push_back(PlacedError(lights[k], even));
+      errors[1].push_back(PlacedError(lights[k], placed));
+      errors[2].push_back(PlacedError(lights[k], PlaceAzimuths({ &lights[k] }, count)));
+    }
+    std::printf("| %zu |", count);
+    for (std::vector<double>& found : errors)
+    {
+      PrintErrors(found);
+    }
+    std::printf("\n");
+  }
+}
+
 } // namespace
 } // namespace testing
 } // namespace skyline
@@ -263,5 +320,6 @@ int main(int argc, char** argv)
   {
     Measure(terrain, map);
   }
+  MeasurePlaced(terrain);
   return 0;
 }

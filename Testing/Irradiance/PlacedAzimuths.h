@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Azimuths placed where horizons vary: an experiment. Light here is that of a uniform sky.
+#ifndef skyline_PlacedAzimuths_h
+#define skyline_PlacedAzimuths_h
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace skyline
+{
+namespace testing
+{
+
+/// Light of a uniform sky from each of many even azimuths, over the mean of all.
+using AzimuthLight = std::vector<double>;
+
+/// What a level or tilted post gets from an azimuth of a uniform sky above elevation `horizon`.
+inline double UniformLight(double horizon, double azimuth, double east, double north)
+{
+  const double rise = east * std::sin(azimuth) + north * std::cos(azimuth);
+  const double e = std::max({ horizon, std::atan(rise), 0.0 });
+  const double c = std::cos(e);
+  return (0.5 * c * c - 0.5 * rise * (std::acos(std::sin(e)) - std::sin(e) * c)) /
+    std::sqrt(1.0 + east * east + north * north);
+}
+
+/// Numbers of `count` azimuths of the given posts' light: half of them even, then the interval is halved
+/// whose ends differ most, by the mean over the posts times its width, again and again.
+inline std::vector<std::size_t> PlaceAzimuths(
+  const std::vector<const AzimuthLight*>& posts, std::size_t count)
+{
+  using Interval = std::pair<double, std::pair<std::size_t, std::size_t>>;
+  const std::size_t all = posts.front()->size();
+  const auto worth = [&](std::size_t begin, std::size_t end)
+  {
+    double sum = 0.0;
+    for (const AzimuthLight* light : posts)
+    {
+      sum += std::abs((*light)[begin] - (*light)[end % all]);
+    }
+    return end - begin < 2 ? -1.0 : sum * static_cast<double>(end - begin);
+  };
+  std::priority_queue<Interval> intervals;
+  const std::size_t step = all / (count / 2);
+  for (std::size_t begin = 0; begin < all; begin += step)
+  {
+    intervals.push({ worth(begin, begin + step), { begin, begin + step } });
+  }
+  while (intervals.size() < count)
+  {
+    const auto [begin, end] = intervals.top().second;
+    intervals.pop();
+    const std::size_t middle = (begin + end) / 2;
+    intervals.push({ worth(begin, middle), { begin, middle } });
+    intervals.push({ worth(middle, end), { middle, end } });
+  }
+  std::vector<std::size_t> azimuths;
+  for (; !intervals.empty(); intervals.pop())
+  {
+    azimuths.push_back(intervals.top().second.first);
+  }
+  std::sort(azimuths.begin(), azimuths.end());
+  return azimuths;
+}
+
+/// The relative error of a post's light, each azimuth standing for half way to its neighbours; percent.
+inline double PlacedError(const AzimuthLight& light, const std::vector<std::size_t>& azimuths)
+{
+  const auto all = static_cast<double>(light.size());
+  double sum = 0.0;
+  for (std::size_t k = 0; k < azimuths.size(); ++k)
+  {
+    const double before =
+      k > 0 ? static_cast<double>(azimuths[k - 1]) : static_cast<double>(azimuths.back()) - all;
+    const double after = k + 1 < azimuths.size() ? static_cast<double>(azimuths[k + 1])
+                                                 : static_cast<double>(azimuths.front()) + all;
+    sum += light[azimuths[k]] * 0.5 * (after - before);
+  }
+  return 100.0 * std::abs(sum / all - 1.0);
+}
+
+} // namespace testing
+} // namespace skyline
+
+#endif
