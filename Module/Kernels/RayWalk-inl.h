@@ -154,11 +154,14 @@ HWY_INLINE Vector InsidePatch(Mask complete, Vector best, const RayFrame& frame,
     return hn::IfThenElse(complete, hn::Max(best, hn::NegMulAdd(bend, t1, rise)), best);
   }
   const Vector a = hn::MulAdd(bend, hn::Mul(t0, t1), hn::NegMulAdd(rise, t0, low));
-  const auto peaked = hn::And(hn::Lt(bend, hn::Zero(tag)), hn::Lt(a, hn::Zero(tag)));
+  const auto peaked =
+    hn::And(complete, hn::And(hn::Lt(bend, hn::Zero(tag)), hn::Lt(a, hn::Zero(tag))));
   // From the entry, not as b - 2 sqrt(a bend): far from the receiver that difference loses digits.
-  const Vector t = hn::Min(hn::Max(hn::Sqrt(hn::Max(hn::Div(a, bend), hn::Zero(tag))), t0), t1);
+  // Where there is no maximum, -1 keeps 0 / 0 and overflows out of lanes that nobody reads.
+  const Vector divisor = hn::IfThenElse(peaked, bend, hn::Set(tag, -1.0f));
+  const Vector t = hn::Min(hn::Max(hn::Sqrt(hn::Max(hn::Div(a, divisor), hn::Zero(tag))), t0), t1);
   const Vector height = hn::MulAdd(hn::Sub(t, t0), hn::MulAdd(bend, hn::Sub(t, t1), rise), low);
-  return hn::IfThenElse(hn::And(complete, peaked), hn::Max(best, hn::Div(height, t)), best);
+  return hn::IfThenElse(peaked, hn::Max(best, hn::Div(height, t)), best);
 }
 
 HWY_INLINE Block InsidePatch(const BlockMask& complete, const Block& best, const RayFrame& frame,
@@ -317,8 +320,13 @@ HWY_INLINE void StoreSlopes(const Block& best, float linesPerMetre, float* slope
   const Vector scale = hn::Set(Lanes(), linesPerMetre);
   const Vector none = hn::Set(Lanes(), NoTerrainSlope);
   const Vector limit = hn::Set(Lanes(), NoEdge);
-  Store(
-    Each([&](Vector x) { return hn::IfThenElse(hn::Lt(x, limit), none, hn::Mul(x, scale)); }, best),
+  Store(Each(
+          [&](Vector x)
+          {
+            // Missing posts over spacings of micrometres would overflow, where nobody reads.
+            return hn::IfThenElse(hn::Lt(x, limit), none, hn::Mul(hn::Max(x, limit), scale));
+          },
+          best),
     slopes);
 }
 

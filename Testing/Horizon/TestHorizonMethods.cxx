@@ -254,17 +254,18 @@ TEST(HorizonFast, KeepsItsStatedErrorOnTerrain)
   }
 }
 
-// Along the axes of a square lattice the sweep's samples are the posts: there it is exact.
+// Along the axes the sweep's samples are the posts, square or not: there it is exact.
 TEST(HorizonSweep, IsExactAlongTheAxes)
 {
-  for (const double sink : { 0.0, 1.0e-6 })
+  for (const double aspect : { 1.0, 0.3, 1000.0 })
   {
-    oracle::OracleField field = Hills();
-    field.Sink = sink;
+    oracle::OracleField field = shapes::Fractal(53, 61, 30.0, 1200.0, 21);
+    field.SpacingX *= aspect;
+    field.Sink = aspect == 1.0 ? 0.0 : 1.0e-6;
     const HeightField posts = FieldOf(field);
     HorizonSettings settings;
     settings.Method = HorizonMethodKind::Sweep;
-    settings.Sink = sink;
+    settings.Sink = field.Sink;
     const auto sweep = MakeHorizonMethod(posts, settings);
     for (const double azimuth : { 0.0, 90.0, 180.0, 270.0 })
     {
@@ -276,6 +277,22 @@ TEST(HorizonSweep, IsExactAlongTheAxes)
           Elevation(found[post]), oracle::ElevationDegrees(truth[post]), RoundingBound(field));
       }
     }
+  }
+}
+
+// Posts 1000 times as long as wide take as many samples as square ones, not a million times as many.
+TEST(HorizonSweep, SamplesDoNotGrowWithTheAspect)
+{
+  oracle::OracleField field = Hills();
+  field.SpacingY *= 1000.0;
+  const HeightField posts = FieldOf(field);
+  HorizonSettings settings;
+  settings.Method = HorizonMethodKind::Sweep;
+  const auto sweep = MakeHorizonMethod(posts, settings);
+  for (const double azimuth : { 0.0, 45.0, 89.97, 90.0 })
+  {
+    sweep->SetAzimuth(GridOf(field), azimuth);
+    EXPECT_LE(sweep->PrepareCount(), field.Columns + field.Rows) << azimuth;
   }
 }
 

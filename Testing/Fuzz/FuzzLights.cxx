@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// libFuzzer on the texts of --lamp, --sun, --time, --sun-radius, --environment, --rotation and
+// --sun-irradiance: either refused in one line, or lights that light a field.
+#include "Failure.h"
+#include "FuzzTesting.h"
+#include "Lights.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkHeightFieldIrradiance.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkSkylineLight.h"
+
+#include <fuzzer/FuzzedDataProvider.h>
+
+#include <cmath>
+#include <vector>
+
+namespace
+{
+
+vtkSmartPointer<vtkImageData> Terrain()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(5, 4, 1);
+  image->SetSpacing(10.0, 10.0, 1.0);
+  vtkNew<vtkDoubleArray> heights;
+  for (int post = 0; post < 20; ++post)
+  {
+    heights->InsertNextValue(7.0 * (post * 5 % 9));
+  }
+  image->GetPointData()->SetScalars(heights);
+  return image;
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
+{
+  using skyline::testing::Demand;
+  static const skyline::testing::FuzzFolder folder;
+  static const vtkSmartPointer<vtkImageData> terrain = Terrain();
+  const char* const names[] = { "--lamp", "--sun", "--time", "--sun-radius", "--environment",
+    "--rotation", "--sun-irradiance", "--limb-darkening" };
+  FuzzedDataProvider input(bytes, size);
+  std::vector<std::string> arguments;
+  const int count = input.ConsumeIntegralInRange(1, 5);
+  for (int k = 0; k < count; ++k)
+  {
+    const std::string name = input.PickValueInArray(names);
+    std::string value = input.ConsumeRandomLengthString(40);
+    for (char& letter : value)
+    {
+      letter = letter == '/' ? '_' : letter; // no file but those of the folder, and there are none
+    }
+    arguments.insert(arguments.begin(), name == "--limb-darkening" ? name : name + "=" + value);
+  }
+
+  skyline::LightOptions options;
+  CLI::App command;
+  options.AddTo(command);
+  try
+  {
+    command.parse(arguments);
+    skyline::Talk talk;
+    talk.Quiet = true;
+    const auto lights = skyline::MakeLights(options, terrain, talk);
+    vtkNew<vtkHeightFieldIrradiance> irradiance;
+    irradiance->SetInputData(terrain);
+    irradiance->SetNumberOfAzimuths(4);
+    irradiance->RefineOff();
+    for (const auto& light : lights)
+    {
+      irradiance->AddLight(light);
+    }
+    skyline::testing::UpdateQuietly(irradiance);
+    vtkDataArray* found = irradiance->GetOutput()->GetPointData()->GetArray("Irradiance");
+    for (vtkIdType post = 0; found != nullptr && post < found->GetNumberOfTuples(); ++post)
+    {
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        const double value = found->GetComponent(post, channel);
+        Demand(!std::isnan(value) && value >= 0.0, "light that is a number and not negative");
+      }
+    }
+  }
+  catch (const CLI::Error&)
+  {
+  }
+  catch (const std::exception& reason)
+  {
+    Demand(*reason.what() != '\0', "a reason");
+  }
+  return 0;
+}
