@@ -25,6 +25,7 @@ Spacing = Union[float, Sequence[float]]
 # What rasters put where they have no height; no ground on the Earth is exactly there.
 _SENTINELS = (-9999.0, -99999.0, -32768.0, -32767.0)
 _ABSURD = 1.0e30
+_CLIFF = 100.0  # slope of half of all steps that no ground has
 
 
 def to_image(
@@ -68,6 +69,7 @@ def to_image(
         image = vtkImageData()
         image.SetDimensions(columns, rows, 1)
         image.SetSpacing(*_metres(spacing), 1.0)
+        _doubt_degrees(heights, image.GetSpacing()[0])
     elif spacing is not None:
         raise ValueError(f"spacing is {spacing!r}, but the transform gives it; leave spacing out")
     else:
@@ -284,6 +286,18 @@ def _metres(spacing: Any) -> list[float]:
         raise TypeError(f"spacing is missing; give {wanted}")
     pair = [spacing] * 2 if np.ndim(spacing) == 0 else _check.numbers("spacing", spacing, 2, wanted)
     return [_check.number("spacing", step, wanted, lambda step: step > 0.0) for step in pair]
+
+
+def _doubt_degrees(heights: NDArray[Any], dx: float) -> None:
+    """Warns where the ground is steeper than any: degrees are then taken for metres."""
+    lines = heights[:: max(1, len(heights) // 100)].astype(np.float64)
+    with np.errstate(invalid="ignore"):
+        steps = np.abs(np.diff(lines, axis=1))
+    steps = steps[np.isfinite(steps)]
+    if steps.size and np.median(steps) > _CLIFF * dx:
+        warnings.warn(
+            f"half of all posts stand {_CLIFF:g} times higher or lower than they are apart: spacing is "
+            f"{dx:g}, in metres; for degrees or feet give transform and crs", stacklevel=3)
 
 
 def _six(transform: Any, rows: int, south: bool) -> list[float]:

@@ -132,6 +132,15 @@ class Numbers(unittest.TestCase):
             skyline.sky_view(z, 10.0, 8, nodata=-9999)
             skyline.sky_view(hills() - 5000.0, 10.0, 8)
 
+    def test_degrees_taken_for_metres_warn(self):
+        with self.assertWarnsRegex(UserWarning, "spacing is 0.000833.*crs"):
+            skyline.sky_view(hills(), 0.000833, 8)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            skyline.sky_view(hills(), 1.0, 8)
+            skyline.sky_view(np.zeros((4, 4)), 1e-6, 8)
+            skyline.sky_view(np.array([[9, 250], [3, 4]], np.uint8), 30.0, 8)
+
     def test_several_quantities_in_one_search(self):
         z = hills()
         views = skyline.sky_view(z, 10.0, 8, ["SkyViewFactor", "PositiveOpenness"])
