@@ -15,6 +15,7 @@ void AddShadowHeight(CLI::App& program); ///< how high the shadow of the terrain
 void AddIrradiance(CLI::App& program);   ///< the light on every post, three bands
 void AddShade(CLI::App& program);        ///< a picture of the lit terrain
 void AddBenchmark(CLI::App& program);    ///< error against run time of every method, as a page
+void AddView(CLI::App& program);         ///< a window on the lit terrain
 
 } // namespace skyline
 

@@ -38,6 +38,7 @@ int Run(int argc, char** argv)
   skyline::AddShadowHeight(program);
   skyline::AddIrradiance(program);
   skyline::AddShade(program);
+  skyline::AddView(program);
   skyline::AddBenchmark(program);
   try
   {

@@ -2,23 +2,20 @@
 #include "Perspective.h"
 
 #include "CameraFit.h"
-#include "Constants.h"
 #include "Failure.h"
 #include "OffscreenWindow.h"
+#include "TerrainActors.h"
 #include "ToneMap.h"
 
-#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkHeightFieldSurface.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSoftShadowPolyDataMapper.h"
-#include "vtkSoftShadowShader.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -33,17 +30,6 @@ constexpr int Samples = 2;
 
 /// With Samples, the largest framebuffer of any OpenGL.
 constexpr int LargestSide = 8192;
-
-/// Posts of the mesh, which larger terrain thins out; the light keeps its resolution.
-constexpr double MeshPosts = 4.0e6;
-
-/// The block under the terrain: its depth below the lowest point, in widths of the terrain, and the
-/// sRGB code of the factor on the light of its rim.
-constexpr double SkirtDepth = 0.02;
-constexpr double SkirtColor = 0.6;
-
-/// Where the sky is the only light, it would leave the range of a picture.
-constexpr float BrightestSky = 0.22f;
 
 // Two numbers with a separator between them and nothing else.
 template <typename Number>
@@ -63,60 +49,6 @@ bool ReadDirection(const std::string& text, double& azimuth, double& elevation)
 {
   return ReadPair(text, ',', azimuth, elevation) && std::isfinite(azimuth) &&
     std::isfinite(elevation);
-}
-
-vtkSmartPointer<vtkHeightFieldSurface> MakeMesh(vtkImageData* terrain)
-{
-  auto surface = vtkSmartPointer<vtkHeightFieldSurface>::New();
-  surface->SetInputData(terrain);
-  surface->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
-  surface->SetStride(static_cast<int>(
-    std::ceil(std::sqrt(static_cast<double>(terrain->GetNumberOfPoints()) / MeshPosts))));
-  return surface;
-}
-
-// Radiance is light times colour over pi already: a white ground under pi times as much light.
-vtkSmartPointer<vtkSoftShadowPolyDataMapper> MakeMapper(
-  vtkAlgorithm* mesh, vtkImageData* terrain, double exposure)
-{
-  auto mapper = vtkSmartPointer<vtkSoftShadowPolyDataMapper>::New();
-  mapper->SetInputConnection(mesh->GetOutputPort());
-  mapper->ScalarVisibilityOff();
-  mapper->GetShader()->SetHeightField(terrain);
-  mapper->GetShader()->SetIrradianceArrayName("Radiance");
-  mapper->GetShader()->SetExposure(exposure + std::log2(skyline::Pi));
-  return mapper;
-}
-
-vtkSmartPointer<vtkActor> MakeActor(vtkMapper* mapper, double color)
-{
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(color, color, color);
-  return actor;
-}
-
-// The sky behind the terrain, from the picture's lower to its upper edge: that of the light, paler
-// and brighter towards the horizon.
-void PaintSky(vtkRenderer* renderer, const skyline::PerspectiveLight& light)
-{
-  const float gray = skyline::Luminance(light.SkyRadiance);
-  const float gain = std::min(
-    static_cast<float>(std::exp2(light.Exposure)), gray > 0.0f ? BrightestSky / gray : 0.0f);
-  skyline::Rgb low;
-  skyline::Rgb high;
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    low[c] = gain * (2.0f * gray + 2.0f * light.SkyRadiance[c]);
-    high[c] = gain * 2.0f * light.SkyRadiance[c];
-  }
-  low = skyline::ToneMap(low);
-  high = skyline::ToneMap(high);
-  renderer->GradientBackgroundOn();
-  renderer->SetBackground(
-    skyline::EncodeSrgb(low[0]), skyline::EncodeSrgb(low[1]), skyline::EncodeSrgb(low[2]));
-  renderer->SetBackground2(
-    skyline::EncodeSrgb(high[0]), skyline::EncodeSrgb(high[1]), skyline::EncodeSrgb(high[2]));
 }
 
 // The means of blocks of samples, in linear light.
@@ -211,6 +143,12 @@ void PerspectiveOptions::Check() const
   }
 }
 
+void PerspectiveOptions::Read(int& width, int& height, double& azimuth, double& elevation) const
+{
+  ReadSize(this->Size, width, height);
+  ReadDirection(this->From, azimuth, elevation);
+}
+
 vtkSmartPointer<vtkImageData> DrawPerspective(vtkImageData* terrain, const PerspectiveLight& light,
   const PerspectiveOptions& options, const Talk& talk)
 {
@@ -224,18 +162,14 @@ vtkSmartPointer<vtkImageData> DrawPerspective(vtkImageData* terrain, const Persp
   int height = 0;
   ReadSize(options.Size, width, height);
 
-  const auto surface = MakeMesh(terrain);
+  const auto surface = MakeMesh(terrain, MostMeshPosts);
   RunPass(surface, "mesh", talk);
   vtkPolyData* mesh = surface->GetOutput();
   if (mesh->GetNumberOfCells() == 0)
   {
     throw Failure("no cell of the terrain has all its posts: there is nothing to see");
   }
-  const auto skirt = MakeMesh(terrain);
-  const double* bounds = mesh->GetBounds();
-  skirt->SkirtOn();
-  skirt->SetSkirtBase(
-    bounds[4] - SkirtDepth * std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]));
+  const auto skirt = MakeSkirt(terrain, MostMeshPosts, mesh);
   RunPass(skirt, "skirt", talk);
 
   const auto mapper = MakeMapper(surface, terrain, light.Exposure);
@@ -245,7 +179,7 @@ vtkSmartPointer<vtkImageData> DrawPerspective(vtkImageData* terrain, const Persp
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(MakeActor(mapper, 1.0));
   renderer->AddActor(MakeActor(wall, SkirtColor));
-  PaintSky(renderer, light);
+  PaintSky(renderer, light.SkyRadiance, light.Exposure);
   Standpoint standpoint;
   ReadDirection(options.From, standpoint.Azimuth, standpoint.Elevation);
   standpoint.Aspect = static_cast<double>(width) / height;

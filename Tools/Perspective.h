@@ -26,6 +26,9 @@ struct PerspectiveOptions
 
   /// Throws Failure for numbers out of range; before any work.
   void Check() const;
+
+  /// The texts as numbers: pixels, degrees.
+  void Read(int& width, int& height, double& azimuth, double& elevation) const;
 };
 
 /// What the picture shows beside the terrain's own light.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands.h"
 
-#include "ColorMaps.h"
 #include "Daylight.h"
 #include "Failure.h"
 #include "Files.h"
 #include "Lights.h"
+#include "LookOptions.h"
 #include "Options.h"
 #include "Perspective.h"
 #include "SunLight.h"
@@ -33,26 +33,6 @@
 namespace
 {
 
-std::vector<std::string> MapNames()
-{
-  std::vector<std::string> names;
-  for (const skyline::ColorMap& map : skyline::ColorMaps())
-  {
-    names.emplace_back(map.Name);
-  }
-  return names;
-}
-
-std::string MapHelp()
-{
-  std::string help = "Colours of heights, each list growing lighter upwards";
-  for (const skyline::ColorMap& map : skyline::ColorMaps())
-  {
-    help += "\n" + std::string(map.Name) + ": " + std::string(map.Description);
-  }
-  return help;
-}
-
 // The number of a sky of CIE S 011, written cie:N.
 bool CieType(const std::string& name, int& type)
 {
@@ -68,23 +48,20 @@ struct ShadeCommand
   skyline::SunOptions Sun;
   skyline::LightOptions Lights; // but for environment and sun
   skyline::Talk Talk;
-  std::string Environment = "uniform";
-  std::string Colors{ skyline::ColorMaps()[0].Name };
-  std::string Exposure = "auto";
-  double Exaggeration = 1.0;
+  skyline::LookOptions Look;
   std::string View = "map";
   skyline::PerspectiveOptions Perspective;
 
   // The heights times the exaggeration, which light and shadow then see.
   vtkSmartPointer<vtkImageData> Exaggerate(vtkImageData* terrain) const
   {
-    if (this->Exaggeration == 1.0)
+    if (this->Look.Exaggeration == 1.0)
     {
       return terrain;
     }
     vtkNew<vtkImageShiftScale> scale;
     scale->SetInputData(terrain);
-    scale->SetScale(this->Exaggeration);
+    scale->SetScale(this->Look.Exaggeration);
     scale->SetOutputScalarTypeToDouble();
     skyline::RunPass(scale, "exaggeration", this->Talk);
     scale->GetOutput()->GetPointData()->GetScalars()->SetName("Elevation");
@@ -106,7 +83,7 @@ struct ShadeCommand
   const char* ViewSky(vtkSmartPointer<vtkImageData>& terrain) const
   {
     int type = 0;
-    if (CieType(this->Environment, type))
+    if (CieType(this->Look.Environment, type))
     {
       vtkNew<vtkHeightFieldSkyLight> light;
       light->SetCieType(type);
@@ -133,10 +110,10 @@ struct ShadeCommand
 
   void SetExposure(vtkHeightFieldShading* shading) const
   {
-    if (this->Exposure != "auto")
+    if (this->Look.Exposure != "auto")
     {
       double stops = 0.0;
-      CLI::detail::lexical_cast(this->Exposure, stops);
+      CLI::detail::lexical_cast(this->Look.Exposure, stops);
       shading->AutoExposureOff();
       shading->SetExposure(stops);
     }
@@ -152,25 +129,22 @@ struct ShadeCommand
         throw skyline::Failure("a perspective picture's name ends in .png");
       }
     }
-    if (!(this->Exaggeration > 0.0 && this->Exaggeration <= 1000.0))
-    {
-      throw skyline::Failure("exaggeration is out of range: above 0, up to 1000");
-    }
+    this->Look.Check();
   }
 
   // A light map or a measured sky shines as bright as it is, with a sun only if one is asked for.
   bool Measured() const
   {
     int type = 0;
-    return this->Environment != "uniform" && this->Environment != "none" &&
-      !CieType(this->Environment, type);
+    return this->Look.Environment != "uniform" && this->Look.Environment != "none" &&
+      !CieType(this->Look.Environment, type);
   }
 
   // A sky by formula that depends on the sun.
   bool Formula() const
   {
     int type = 0;
-    return CieType(this->Environment, type) && !skyline::ZonalSky::Knows(type);
+    return CieType(this->Look.Environment, type) && !skyline::ZonalSky::Knows(type);
   }
 
   // Adds the array Irradiance of what sun and sky arrays do not hold: light maps, skies that are
@@ -178,7 +152,7 @@ struct ShadeCommand
   bool AddFurtherLight(vtkSmartPointer<vtkImageData>& terrain, const skyline::Rgb& sky) const
   {
     skyline::LightOptions wanted = this->Lights;
-    wanted.Environment = this->Measured() || this->Formula() ? this->Environment : "";
+    wanted.Environment = this->Measured() || this->Formula() ? this->Look.Environment : "";
     if (wanted.Environment.empty() && wanted.Lamps.empty())
     {
       return false;
@@ -232,7 +206,7 @@ struct ShadeCommand
     {
       shading->SetIrradianceArrayName("Irradiance");
     }
-    if (this->Environment == "none" || this->Measured() || this->Formula())
+    if (this->Look.Environment == "none" || this->Measured() || this->Formula())
     {
       light.SkyRadiance = skyline::Rgb{};
     }
@@ -249,7 +223,7 @@ struct ShadeCommand
     shading->SetSunIrradiance(
       light.SunIrradiance[0], light.SunIrradiance[1], light.SunIrradiance[2]);
     shading->SetSkyRadiance(light.SkyRadiance[0], light.SkyRadiance[1], light.SkyRadiance[2]);
-    shading->SetColorMap(this->Colors);
+    shading->SetColorMap(this->Look.Colors);
     this->SetExposure(shading);
     skyline::RunPass(shading, "shading", this->Talk);
 
@@ -283,52 +257,9 @@ void AddShade(CLI::App& program)
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "Picture to write: .png, .exr or .tif");
   command->Sun.AddTo(*app);
-  app
-    ->add_option("--environment", command->Environment,
-      "The sky. uniform: equally bright all over;\n"
-      "cie:N: sky N of CIE S 011: 1 overcast, 3 overcast with a moderate gradation, 5 uniform,\n"
-      "12 clear, 16 traditional overcast (three times as bright in the zenith as at the horizon);\n"
-      "none: black; FILE.hdr, FILE.exr: a light map, alone or with the sun of --sun or --time;\n"
-      "perez:DIRECT,DIFFUSE: Perez's sky and its sun, W/m2")
-    ->type_name("NAME|FILE")
-    ->check(CLI::Validator(
-      [](std::string& name)
-      {
-        if (name == "uniform" || name == "none" || name.rfind("cie:", 0) == 0 ||
-          name.rfind("perez:", 0) == 0 || name.find('.') != std::string::npos)
-        {
-          return skyline::CheckEnvironment(name);
-        }
-        return "no sky named " + name +
-          "; use uniform, none, cie:1 to cie:16, perez:DIRECT,DIFFUSE or a file's name";
-      },
-      ""))
-    ->capture_default_str();
+  command->Look.AddSkyTo(*app);
   command->Lights.AddLampsTo(*app);
-  app->add_option("--colors", command->Colors, MapHelp())
-    ->check(CLI::IsMember(MapNames()))
-    ->type_name("NAME")
-    ->capture_default_str();
-  app
-    ->add_option("--exposure", command->Exposure,
-      "auto, or stops: 0 shows level open ground as its colour, +1 twice as bright.\nHowever "
-      "bright, nothing burns out")
-    ->type_name("EV")
-    ->check(CLI::Validator(
-      [](std::string& text)
-      {
-        double stops;
-        return text == "auto" || (CLI::detail::lexical_cast(text, stops) && std::isfinite(stops))
-          ? std::string()
-          : "needs auto or a number, not " + text;
-      },
-      ""))
-    ->capture_default_str();
-  app
-    ->add_option("--exaggeration", command->Exaggeration,
-      "Factor on heights, in shading and shadows alike; above 0, up to 1000")
-    ->type_name("F")
-    ->capture_default_str();
+  command->Look.AddTo(*app);
   app
     ->add_option("--view", command->View,
       "map: seen from above, one pixel a post;\n"

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The heads-up display: texts, sliders, north arrow and scale bar over the picture.
+#ifndef skyline_Hud_h
+#define skyline_Hud_h
+
+#include "HudLayout.h"
+#include "ViewerState.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkActor2D;
+class vtkPolyData;
+class vtkRenderer;
+class vtkTextActor;
+
+namespace skyline
+{
+
+/// What it says.
+struct HudContent
+{
+  std::string Status;
+  std::string Times;
+  std::string Message;
+  std::string Help; ///< in the middle; empty: none
+  std::array<ViewerSlider, ViewerState::Sliders> Sliders;
+  double Heading = 0.0;      ///< degrees clockwise from north, in which the camera looks
+  double MetresAPixel = 0.0; ///< 0: no scale bar
+};
+
+/// In a renderer of its own, for a layer over the picture's.
+class Hud
+{
+public:
+  Hud();
+
+  vtkRenderer* GetRenderer() const;
+
+  void Show(const HudContent& content, const HudLayout& layout, int width, int height);
+
+private:
+  vtkSmartPointer<vtkTextActor> MakeText(int align, int valign, bool fixed);
+  void Write(vtkTextActor* actor, const std::string& text, double x, double y, int size);
+
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkPolyData> Shapes;
+  vtkSmartPointer<vtkTextActor> Status, Times, Message, Help, Bar, North;
+  std::array<vtkSmartPointer<vtkTextActor>, ViewerState::Sliders> Labels;
+};
+
+} // namespace skyline
+
+#endif

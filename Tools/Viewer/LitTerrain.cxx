@@ -1,0 +1,470 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LitTerrain.h"
+
+#include "../Passes.h"
+#include "Constants.h"
+#include "Daylight.h"
+#include "HeightRay.h"
+#include "ZonalSky.h"
+
+#include "vtkCommand.h"
+#include "vtkFloatArray.h"
+#include "vtkHeightFieldIrradiance.h"
+#include "vtkHeightFieldShading.h"
+#include "vtkHeightFieldSkyLight.h"
+#include "vtkHeightFieldSkyView.h"
+#include "vtkHeightFieldSunShadow.h"
+#include "vtkImageData.h"
+#include "vtkImageShiftScale.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkSkylineEnvironmentLight.h"
+#include "vtkSkylineLampLight.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+
+/// Bytes of horizons that may be kept to light with another map without a new search.
+constexpr double KeptHorizons = 1.0e9;
+
+/// A light map's sun below the horizon: the formulas of skies end at the horizon.
+constexpr double LowestSkySun = 0.0;
+
+// Calls a function at progress.
+class Asking : public vtkCommand
+{
+public:
+  static Asking* New() { return new Asking; }
+  void Execute(vtkObject* caller, unsigned long, void*) override
+  {
+    if (this->Stop && *this->Stop && (*this->Stop)())
+    {
+      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+    }
+  }
+  const std::function<bool()>* Stop = nullptr;
+};
+
+// A text that differs where one of the parts does.
+template <typename... Parts>
+std::string Key(const Parts&... parts)
+{
+  std::ostringstream text;
+  text.precision(17);
+  ((text << parts << '|'), ...);
+  return text.str();
+}
+
+bool CieType(const std::string& name, int& type)
+{
+  return name.rfind("cie:", 0) == 0 && CLI::detail::lexical_cast(name.substr(4), type);
+}
+
+vtkSmartPointer<vtkFloatArray> TakeArray(vtkAlgorithm* filter, const char* name)
+{
+  auto* image = vtkImageData::SafeDownCast(filter->GetOutputDataObject(0));
+  return vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(name));
+}
+
+// Of a sky that gives as much light as the posts get in the mean.
+skyline::Rgb MeanRadiance(vtkFloatArray* irradiance)
+{
+  std::array<double, 3> sum{};
+  vtkIdType lit = 0;
+  const float* light = irradiance->GetPointer(0);
+  for (vtkIdType post = 0; post < irradiance->GetNumberOfTuples(); ++post, light += 3)
+  {
+    if (std::isfinite(light[0] + light[1] + light[2]))
+    {
+      ++lit;
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        sum[c] += light[c];
+      }
+    }
+  }
+  skyline::Rgb mean{};
+  for (std::size_t c = 0; c < 3 && lit > 0; ++c)
+  {
+    mean[c] = static_cast<float>(sum[c] / (skyline::Pi * static_cast<double>(lit)));
+  }
+  return mean;
+}
+
+void Add(vtkFloatArray* light, vtkFloatArray* sum)
+{
+  const vtkIdType count = sum->GetNumberOfValues();
+  const float* from = light->GetPointer(0);
+  float* to = sum->GetPointer(0);
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    to[k] += from[k];
+  }
+}
+
+} // namespace
+
+namespace skyline
+{
+
+SkyKind KindOfSky(const std::string& name)
+{
+  int type = 0;
+  if (name == "none")
+  {
+    return SkyKind::None;
+  }
+  if (name == "uniform" || name.empty())
+  {
+    return SkyKind::Uniform;
+  }
+  if (CieType(name, type))
+  {
+    return ZonalSky::Knows(type) ? SkyKind::Zonal : SkyKind::Formula;
+  }
+  return SkyKind::Measured;
+}
+
+LitTerrain::LitTerrain(vtkImageData* heights, const HorizonOptions& options)
+  : Options(options)
+  , Heights(heights)
+  , Shading(vtkSmartPointer<vtkHeightFieldShading>::New())
+{
+  this->Shading->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
+}
+
+LitTerrain::~LitTerrain() = default;
+
+vtkImageData* LitTerrain::GetOutput() const
+{
+  return this->Output;
+}
+
+vtkImageData* LitTerrain::GetHeights() const
+{
+  return this->Heights;
+}
+
+bool LitTerrain::Run(vtkAlgorithm* filter, const std::string& title, bool stoppable)
+{
+  vtkNew<Asking> asking;
+  asking->Stop = &this->Stop;
+  filter->SetAbortExecute(0);
+  const unsigned long tag = stoppable ? filter->AddObserver(vtkCommand::ProgressEvent, asking) : 0;
+  const auto start = std::chrono::steady_clock::now();
+  Talk silent;
+  silent.Quiet = true;
+  try
+  {
+    RunPass(filter, title, silent);
+  }
+  catch (...)
+  {
+    filter->RemoveObserver(tag);
+    filter->Modified(); // what failed is no result
+    throw;
+  }
+  filter->RemoveObserver(tag);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  this->Times.emplace_back(title, time.count());
+  if (filter->GetAbortExecute())
+  {
+    filter->SetAbortExecute(0);
+    filter->Modified(); // nor is what was stopped
+    return false;
+  }
+  return true;
+}
+
+void LitTerrain::Exaggerate(const TerrainLight& light)
+{
+  if (this->Exaggeration == light.Exaggeration)
+  {
+    return;
+  }
+  this->Scaled = this->Heights;
+  if (light.Exaggeration != 1.0)
+  {
+    vtkNew<vtkImageShiftScale> scale;
+    scale->SetInputData(this->Heights);
+    scale->SetScale(light.Exaggeration);
+    scale->SetOutputScalarTypeToDouble();
+    this->Run(scale, "exaggeration", false);
+    this->Scaled = scale->GetOutput();
+    this->Scaled->GetPointData()->GetScalars()->SetName("Elevation");
+  }
+  this->Exaggeration = light.Exaggeration;
+  this->SkyKey.clear();
+  this->MapKey.clear();
+  this->SunKey.clear();
+  this->Lamps.clear();
+  this->FastMap = nullptr;
+  this->ExactMap = nullptr;
+  this->FastSun = nullptr;
+  this->ExactSun = nullptr;
+}
+
+bool LitTerrain::LightSky(const TerrainLight& light, bool exact)
+{
+  const SkyKind kind = KindOfSky(light.Sky);
+  if (kind != SkyKind::Uniform && kind != SkyKind::Zonal)
+  {
+    return true;
+  }
+  const std::string key = Key(light.Sky);
+  if (key == this->SkyKey)
+  {
+    return true;
+  }
+  int type = 0;
+  bool done = false;
+  if (CieType(light.Sky, type))
+  {
+    vtkNew<vtkHeightFieldSkyLight> filter;
+    filter->SetInputData(this->Scaled);
+    filter->SetNumberOfAzimuths(this->Options.Azimuths);
+    filter->SetCieType(type);
+    this->Options.Apply(filter.Get());
+    done = this->Run(filter, "sky", exact);
+    this->Sky = done ? TakeArray(filter, "SkyLight") : this->Sky;
+  }
+  else
+  {
+    vtkNew<vtkHeightFieldSkyView> filter;
+    filter->SetInputData(this->Scaled);
+    filter->SetNumberOfAzimuths(this->Options.Azimuths);
+    filter->SetSkyViewFactorHorizontal(false);
+    filter->SetVisibleSkyFraction(false);
+    filter->SetPositiveOpenness(false);
+    this->Options.Apply(filter.Get());
+    done = this->Run(filter, "sky", exact);
+    this->Sky = done ? TakeArray(filter, "SkyViewFactor") : this->Sky;
+  }
+  this->SkyKey = done ? key : this->SkyKey;
+  return done;
+}
+
+vtkSmartPointer<vtkHeightFieldIrradiance> LitTerrain::MakeIrradiance() const
+{
+  auto filter = vtkSmartPointer<vtkHeightFieldIrradiance>::New();
+  filter->SetInputData(this->Scaled);
+  filter->SetNumberOfAzimuths(this->Options.Azimuths);
+  this->Options.Apply(filter.Get());
+  return filter;
+}
+
+bool LitTerrain::LightMap(const TerrainLight& light, bool exact)
+{
+  const SkyKind kind = KindOfSky(light.Sky);
+  if (kind != SkyKind::Formula && kind != SkyKind::Measured)
+  {
+    return true;
+  }
+  vtkSkylineEnvironmentLight* map = light.Environment;
+  const bool byFormula = map->GetSource() != vtkSkylineEnvironmentLight::IMAGE;
+  const double elevation = std::max(light.Sun.ApparentElevation, LowestSkySun);
+  const std::string key = Key(light.Sky, light.Rotation, exact,
+    byFormula ? light.Sun.GridAzimuth : 0.0, byFormula ? elevation : 0.0);
+  if (key == this->MapKey)
+  {
+    return true;
+  }
+  map->SetRotation(light.Rotation);
+  map->SetSunAzimuth(light.Sun.GridAzimuth);
+  map->SetSunElevation(elevation);
+  if (kind == SkyKind::Formula)
+  {
+    const Rgb sky = ClearDaylight(light.Sun.ApparentElevation, light.Air).SkyRadiance;
+    map->SetRadiance(sky[0], sky[1], sky[2]);
+  }
+  auto& filter = exact ? this->ExactMap : this->FastMap;
+  if (!filter)
+  {
+    filter = this->MakeIrradiance();
+    if (exact)
+    {
+      const double bytes = 4.0 * static_cast<double>(this->Scaled->GetNumberOfPoints());
+      filter->SetKeepHorizons(bytes * this->Options.Azimuths <= KeptHorizons);
+    }
+    else
+    {
+      filter->SetLightMethodToHarmonics();
+    }
+  }
+  if (filter->GetLight(0) != map)
+  {
+    filter->RemoveAllLights();
+    filter->AddLight(map);
+  }
+  if (!this->Run(filter, "light map", exact))
+  {
+    return false;
+  }
+  this->Map = TakeArray(filter, "Irradiance");
+  this->MapKey = key;
+  return true;
+}
+
+bool LitTerrain::LightSun(const TerrainLight& light, bool exact)
+{
+  const bool byTime = exact && light.Sun.FromTime;
+  const std::string key = Key(exact, light.Sun.GridAzimuth, light.Sun.ApparentElevation,
+    light.Sun.Radius, byTime ? light.SunAsked.Time : "");
+  if (key == this->SunKey)
+  {
+    return true;
+  }
+  auto& filter = exact ? this->ExactSun : this->FastSun;
+  if (!filter)
+  {
+    filter = vtkSmartPointer<vtkHeightFieldSunShadow>::New();
+    filter->SetInputData(this->Scaled);
+    this->Options.Apply(filter.Get());
+    if (!exact)
+    {
+      filter->SetMethodToFast();
+    }
+  }
+  ApplySun(light.SunAsked, light.Sun, filter);
+  filter->SetUseTime(byTime);
+  if (!this->Run(filter, "sun", exact))
+  {
+    return false;
+  }
+  this->Sun = TakeArray(filter, "SunVisibility");
+  this->SunKey = key;
+  return true;
+}
+
+bool LitTerrain::LightLamps(const TerrainLight& light, bool exact)
+{
+  std::vector<LampLayer> layers;
+  for (const ViewerLamp& lamp : light.Lamps)
+  {
+    const auto known = std::find_if(this->Lamps.begin(), this->Lamps.end(),
+      [&](const LampLayer& layer) { return layer.Lamp == lamp && layer.Exact >= exact; });
+    if (known != this->Lamps.end())
+    {
+      layers.push_back(*known);
+      continue;
+    }
+    const double ground = GroundOrZero(this->Heights, light.Exaggeration, lamp.X, lamp.Y);
+    vtkNew<vtkSkylineLampLight> source;
+    source->SetPosition(lamp.X, lamp.Y, ground + lamp.Height);
+    source->SetRadius(lamp.Radius);
+    source->SetRadiance(lamp.Radiance[0], lamp.Radiance[1], lamp.Radiance[2]);
+    const auto filter = this->MakeIrradiance();
+    filter->AddLight(source);
+    if (!exact)
+    {
+      filter->SetMethodToFast();
+    }
+    if (!this->Run(filter, "lamp", exact))
+    {
+      return false;
+    }
+    layers.push_back({ lamp, TakeArray(filter, "Irradiance"), exact });
+  }
+  this->Lamps = layers;
+  return true;
+}
+
+void LitTerrain::Shade(const TerrainLight& light, bool exact)
+{
+  const SkyKind kind = KindOfSky(light.Sky);
+  Daylight day = ClearDaylight(light.Sun.ApparentElevation, light.Air);
+  if (kind == SkyKind::Measured)
+  {
+    day.SunIrradiance = light.MeasuredSun;
+  }
+  if (!light.SunOn)
+  {
+    day.SunIrradiance = Rgb{};
+  }
+  if (kind != SkyKind::Uniform && kind != SkyKind::Zonal)
+  {
+    this->SkyRadiance = kind == SkyKind::Formula ? day.SkyRadiance : Rgb{};
+    day.SkyRadiance = Rgb{};
+  }
+  else
+  {
+    this->SkyRadiance = day.SkyRadiance;
+  }
+  if (kind == SkyKind::Measured)
+  {
+    this->SkyRadiance = MeanRadiance(this->Map);
+  }
+
+  vtkNew<vtkImageData> posts;
+  posts->ShallowCopy(this->Scaled);
+  vtkPointData* arrays = posts->GetPointData();
+  const bool map = kind == SkyKind::Formula || kind == SkyKind::Measured;
+  if (this->Sky && !map)
+  {
+    this->Sky->SetName("Sky");
+    arrays->AddArray(this->Sky);
+  }
+  if (this->Sun && Luminance(day.SunIrradiance) > 0.0f)
+  {
+    arrays->AddArray(this->Sun);
+  }
+  if (map || !this->Lamps.empty())
+  {
+    vtkNew<vtkFloatArray> further;
+    further->SetName("Further");
+    further->SetNumberOfComponents(3);
+    further->SetNumberOfTuples(posts->GetNumberOfPoints());
+    further->FillValue(0.0f);
+    if (map)
+    {
+      Add(this->Map, further);
+    }
+    for (const LampLayer& layer : this->Lamps)
+    {
+      Add(layer.Light, further);
+    }
+    arrays->AddArray(further);
+    this->Shading->SetIrradianceArrayName("Further");
+  }
+  else
+  {
+    this->Shading->SetIrradianceArrayName("");
+  }
+  this->Shading->SetInputData(posts);
+  this->Shading->SetSkyArrayName("Sky");
+  this->Shading->SetSunAzimuth(light.Sun.GridAzimuth);
+  this->Shading->SetSunElevation(light.Sun.ApparentElevation);
+  this->Shading->SetUseTime(exact && light.Sun.FromTime);
+  this->Shading->SetTime(light.SunAsked.Time);
+  this->Shading->SetSunIrradiance(day.SunIrradiance[0], day.SunIrradiance[1], day.SunIrradiance[2]);
+  this->Shading->SetSkyRadiance(day.SkyRadiance[0], day.SkyRadiance[1], day.SkyRadiance[2]);
+  this->Shading->SetColorMap(light.Colors);
+  this->Run(this->Shading, "shading", false);
+  this->Exposure = this->Shading->GetUsedExposure();
+  this->Output = vtkSmartPointer<vtkImageData>::New();
+  this->Output->ShallowCopy(this->Shading->GetOutput());
+}
+
+bool LitTerrain::Light(const TerrainLight& light, bool exact)
+{
+  this->Times.clear();
+  this->Exaggerate(light);
+  const bool shines = light.SunOn &&
+    (KindOfSky(light.Sky) == SkyKind::Measured ||
+      Luminance(ClearDaylight(light.Sun.ApparentElevation, light.Air).SunIrradiance) > 0.0f);
+  if (!this->LightSky(light, exact) || !this->LightMap(light, exact) ||
+    (shines && !this->LightSun(light, exact)) || !this->LightLamps(light, exact))
+  {
+    return false;
+  }
+  this->Shade(light, exact);
+  return true;
+}
+
+} // namespace skyline

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A terrain and its light, computed layer by layer: what has not changed is not computed again.
+#ifndef skyline_LitTerrain_h
+#define skyline_LitTerrain_h
+
+#include "../Options.h"
+#include "../SunLight.h"
+#include "ToneMap.h"
+#include "ViewerState.h"
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkFloatArray;
+class vtkHeightFieldIrradiance;
+class vtkHeightFieldShading;
+class vtkHeightFieldSunShadow;
+class vtkImageData;
+class vtkSkylineEnvironmentLight;
+
+namespace skyline
+{
+
+/// Seconds by pass.
+using PassTimes = std::vector<std::pair<std::string, double>>;
+
+/// The sky as `shade` understands its name.
+enum class SkyKind
+{
+  None,
+  Uniform,
+  Zonal,   ///< a CIE sky that is the same all around
+  Formula, ///< another CIE sky
+  Measured ///< a light map, or Perez's sky: as bright as it is
+};
+SkyKind KindOfSky(const std::string& name);
+
+/// The light on a terrain.
+struct TerrainLight
+{
+  bool SunOn = true;
+  SunLight Sun;
+  SunOptions SunAsked; ///< the time, with Sun.FromTime
+  std::string Sky = "uniform";
+  vtkSmartPointer<vtkSkylineEnvironmentLight> Environment; ///< of Formula and Measured
+  Rgb MeasuredSun{ { 1, 1, 1 } };                          ///< irradiance beside Measured
+  bool Air = true;
+  double Rotation = 0.0; ///< degrees
+  std::vector<ViewerLamp> Lamps;
+  double Exaggeration = 1.0;
+  std::string Colors;
+};
+
+/// One terrain at one resolution.
+class LitTerrain
+{
+public:
+  /// `heights`: with the point array Elevation.
+  LitTerrain(vtkImageData* heights, const HorizonOptions& options);
+  ~LitTerrain();
+  LitTerrain(const LitTerrain&) = delete;
+  LitTerrain& operator=(const LitTerrain&) = delete;
+
+  /// Asked between pieces of exact work; true stops it.
+  std::function<bool()> Stop;
+
+  /// Computes what differs from the last call. Not exact: light maps by spherical harmonics, the sun
+  /// by bounds of its horizon, as if it stood in one direction for all posts. False if stopped; the
+  /// output then is the last one. Throws Failure.
+  bool Light(const TerrainLight& light, bool exact);
+
+  /// The heights with Radiance, as vtkHeightFieldShading makes it; null before the first Light.
+  vtkImageData* GetOutput() const;
+  vtkImageData* GetHeights() const;                     ///< not exaggerated
+  double GetExposure() const { return this->Exposure; } ///< stops, automatic
+  const Rgb& GetSkyRadiance() const { return this->SkyRadiance; }
+  const PassTimes& GetTimes() const { return this->Times; } ///< of the last Light
+
+private:
+  struct LampLayer
+  {
+    ViewerLamp Lamp;
+    vtkSmartPointer<vtkFloatArray> Light;
+    bool Exact;
+  };
+
+  void Exaggerate(const TerrainLight& light);
+  bool LightSky(const TerrainLight& light, bool exact);
+  bool LightMap(const TerrainLight& light, bool exact);
+  bool LightSun(const TerrainLight& light, bool exact);
+  bool LightLamps(const TerrainLight& light, bool exact);
+  void Shade(const TerrainLight& light, bool exact);
+  bool Run(vtkAlgorithm* filter, const std::string& title, bool stoppable);
+  vtkSmartPointer<vtkHeightFieldIrradiance> MakeIrradiance() const;
+
+  HorizonOptions Options;
+  vtkSmartPointer<vtkImageData> Heights;
+  vtkSmartPointer<vtkImageData> Scaled; ///< exaggerated
+  double Exaggeration = 0.0;            ///< of Scaled; 0: not made yet
+
+  vtkSmartPointer<vtkFloatArray> Sky; ///< of uniform and zonal skies
+  std::string SkyKey;
+  vtkSmartPointer<vtkFloatArray> Map; ///< irradiance of light maps and formulas
+  std::string MapKey;
+  vtkSmartPointer<vtkHeightFieldIrradiance> FastMap, ExactMap;
+  vtkSmartPointer<vtkFloatArray> Sun; ///< SunVisibility
+  std::string SunKey;
+  vtkSmartPointer<vtkHeightFieldSunShadow> FastSun, ExactSun;
+  std::vector<LampLayer> Lamps;
+
+  vtkSmartPointer<vtkHeightFieldShading> Shading;
+  vtkSmartPointer<vtkImageData> Output;
+  double Exposure = 0.0;
+  Rgb SkyRadiance{ {} };
+  PassTimes Times;
+};
+
+} // namespace skyline
+
+#endif

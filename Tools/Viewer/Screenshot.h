@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a window shows, as a file.
+#ifndef skyline_Screenshot_h
+#define skyline_Screenshot_h
+
+#include "ToneMap.h"
+
+#include <string>
+
+class vtkRenderWindow;
+class vtkRenderer;
+class vtkSoftShadowShader;
+
+namespace skyline
+{
+
+/// The first of skyline-1.png, skyline-2.png ... in the folder that is not there yet.
+std::string FreeName(const std::string& folder, const std::string& extension);
+
+/// The window's picture as it was drawn last, as a PNG. Throws Failure.
+void WritePng(vtkRenderWindow* window, const std::string& file);
+
+/// The renderer's view in linear light, before exposure and tone curve, as OpenEXR of 32-bit floats;
+/// where there is no terrain: `sky`. Draws it. Throws Failure.
+void WriteExr(vtkRenderWindow* window, vtkRenderer* renderer, vtkSoftShadowShader* shader,
+  const Rgb& sky, const std::string& file);
+
+} // namespace skyline
+
+#endif

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ViewerState.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+constexpr double MinutesAStep = 10.0;
+constexpr int DaysAJump = 30;
+constexpr double AzimuthStep = 2.0;   // degrees
+constexpr double ElevationStep = 1.0; // degrees
+constexpr double FinePart = 0.1;
+constexpr double RotationStep = 10.0; // degrees
+constexpr double HeightFactor = 1.25;
+constexpr double LampFactor = 1.25;
+constexpr double StopsAStep = 1.0 / 3.0;
+constexpr double GreatestStops = 12.0;
+constexpr double LowestSun = -10.0;    // degrees: night
+constexpr double HighestSun = 90.0;    // degrees
+constexpr double SecondsOfADay = 30.0; // animated
+constexpr double SunnyHalf = 0.5 * (HighestSun - LowestSun);
+
+double Turned(double degrees)
+{
+  return degrees - 360.0 * std::floor(degrees / 360.0);
+}
+
+} // namespace
+
+namespace skyline
+{
+
+void ViewerState::StepAcross(double steps, bool fine)
+{
+  const double part = fine ? FinePart * steps : steps;
+  if (this->ByTime)
+  {
+    this->Clock.AddMinutes(MinutesAStep * part);
+  }
+  else
+  {
+    this->Azimuth = Turned(this->Azimuth + AzimuthStep * part);
+  }
+}
+
+void ViewerState::StepUp(int steps, bool shift)
+{
+  if (this->ByTime)
+  {
+    this->Clock.AddDays(shift ? DaysAJump * steps : steps);
+  }
+  else
+  {
+    const double part = shift ? FinePart * steps : steps;
+    this->Elevation = std::clamp(this->Elevation + ElevationStep * part, LowestSun, HighestSun);
+  }
+}
+
+ViewerWish ViewerState::ChangeLamp(int key)
+{
+  if (!this->HasChosen())
+  {
+    return ViewerWish::Changed;
+  }
+  ViewerLamp& lamp = this->Lamps[this->Chosen];
+  switch (key)
+  {
+    case KeyDelete:
+      this->Lamps.erase(this->Lamps.begin() + static_cast<std::ptrdiff_t>(this->Chosen));
+      this->Chosen = this->Lamps.empty() ? 0 : this->Lamps.size() - 1;
+      break;
+    case KeyPageUp:
+      lamp.Height += lamp.Radius;
+      break;
+    case KeyPageDown:
+      lamp.Height = std::max(0.0, lamp.Height - lamp.Radius);
+      break;
+    case ',':
+      lamp.Radius /= LampFactor;
+      break;
+    case '.':
+      lamp.Radius *= LampFactor;
+      break;
+    default:
+      for (double& channel : lamp.Radiance)
+      {
+        channel *= key == ']' ? LampFactor : 1.0 / LampFactor;
+      }
+  }
+  return ViewerWish::Changed;
+}
+
+ViewerWish ViewerState::Press(int key, const Modifiers& with)
+{
+  switch (key)
+  {
+    case KeyLeft:
+    case KeyRight:
+      this->StepAcross(key == KeyRight ? 1.0 : -1.0, with.Shift);
+      return ViewerWish::Changed;
+    case KeyUp:
+    case KeyDown:
+      this->StepUp(key == KeyUp ? 1 : -1, with.Shift);
+      return ViewerWish::Changed;
+    case KeyDelete:
+    case KeyPageUp:
+    case KeyPageDown:
+    case '[':
+    case ']':
+    case ',':
+    case '.':
+      return this->ChangeLamp(key);
+    case KeySpace:
+      this->Animated = !this->Animated;
+      return ViewerWish::Changed;
+    case 'S':
+      this->Sun = !this->Sun;
+      return ViewerWish::Changed;
+    case 'K':
+      this->Sky = (this->Sky + 1) % this->Skies.size();
+      return ViewerWish::Changed;
+    case 'R':
+      this->Rotation = Turned(this->Rotation + (with.Shift ? -RotationStep : RotationStep));
+      return ViewerWish::Changed;
+    case 'X':
+      this->Exaggeration =
+        std::clamp(this->Exaggeration * (with.Shift ? 1.0 / HeightFactor : HeightFactor),
+          LeastExaggeration, GreatestExaggeration);
+      if (std::abs(this->Exaggeration - 1.0) < 1.0e-9)
+      {
+        this->Exaggeration = 1.0; // back from the way, without its rounding
+      }
+      return ViewerWish::Changed;
+    case '-':
+    case '=':
+    case '+':
+      this->Exposure = std::clamp(
+        this->Exposure + (key == '-' ? -StopsAStep : StopsAStep), -GreatestStops, GreatestStops);
+      return ViewerWish::Changed;
+    case 'C':
+      this->Colors = (this->Colors + 1) % this->ColorCount;
+      return ViewerWish::Changed;
+    case 'H':
+      this->Help = !this->Help;
+      return ViewerWish::Changed;
+    case 'T':
+      this->Times = !this->Times;
+      return ViewerWish::Changed;
+    case 'L':
+      return ViewerWish::Lamp;
+    case 'P':
+      return with.Shift ? ViewerWish::Exr : ViewerWish::Png;
+    case 'V':
+    case KeyHome:
+      return ViewerWish::Camera;
+    case KeyEscape:
+      if (this->Help)
+      {
+        this->Help = false;
+        return ViewerWish::Changed;
+      }
+      return ViewerWish::Leave;
+    case 'Q':
+      return ViewerWish::Leave;
+    default:
+      return ViewerWish::Nothing;
+  }
+}
+
+ViewerSlider ViewerState::GetSlider(std::size_t which) const
+{
+  ViewerSlider slider;
+  if (this->ByTime && which == 0)
+  {
+    slider.High = SunClock::MinutesOfDay;
+    slider.Value = this->Clock.GetMinutes();
+    slider.Label = this->Clock.LocalClock();
+  }
+  else if (this->ByTime)
+  {
+    slider.Low = 1.0;
+    slider.High = this->Clock.DaysOfYear();
+    slider.Value = this->Clock.GetDayOfYear();
+    slider.Label = this->Clock.LocalDate();
+  }
+  else if (which == 0)
+  {
+    slider.High = 360.0;
+    slider.Value = this->Azimuth;
+    slider.Label = "azimuth";
+  }
+  else
+  {
+    slider.Low = LowestSun;
+    slider.High = HighestSun;
+    slider.Value = this->Elevation;
+    slider.Label = "elevation";
+  }
+  return slider;
+}
+
+void ViewerState::SetSlider(std::size_t which, double value)
+{
+  const ViewerSlider slider = this->GetSlider(which);
+  const double inside = std::clamp(value, slider.Low, slider.High);
+  if (this->ByTime && which == 0)
+  {
+    this->Clock.SetMinutes(inside);
+  }
+  else if (this->ByTime)
+  {
+    this->Clock.SetDayOfYear(static_cast<int>(std::lround(inside)));
+  }
+  else if (which == 0)
+  {
+    this->Azimuth = std::min(inside, 359.999);
+  }
+  else
+  {
+    this->Elevation = inside;
+  }
+}
+
+void ViewerState::DragSun(double across, double up)
+{
+  if (this->ByTime)
+  {
+    this->Clock.TurnMinutes(across * SunClock::MinutesOfDay);
+    this->Clock.AddDays(static_cast<int>(std::lround(up * this->Clock.DaysOfYear())));
+  }
+  else
+  {
+    this->Azimuth = Turned(this->Azimuth + 360.0 * across);
+    this->Elevation = std::clamp(this->Elevation + 2.0 * SunnyHalf * up, LowestSun, HighestSun);
+  }
+}
+
+void ViewerState::Advance(double seconds)
+{
+  if (!this->Animated)
+  {
+    return;
+  }
+  const double days = seconds / SecondsOfADay;
+  if (this->ByTime)
+  {
+    this->Clock.TurnMinutes(days * SunClock::MinutesOfDay);
+  }
+  else
+  {
+    this->Azimuth = Turned(this->Azimuth + 360.0 * days);
+  }
+}
+
+void ViewerState::TakeSky(const std::string& name)
+{
+  const auto known = std::find(this->Skies.begin(), this->Skies.end(), name);
+  this->Sky = static_cast<std::size_t>(known - this->Skies.begin());
+  if (known == this->Skies.end())
+  {
+    this->Skies.push_back(name);
+  }
+}
+
+void ViewerState::AddLamp(const ViewerLamp& lamp)
+{
+  this->Chosen = this->Lamps.size();
+  this->Lamps.push_back(lamp);
+}
+
+} // namespace skyline

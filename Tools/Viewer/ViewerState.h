@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the user of the viewer has set: numbers alone, no window, no VTK.
+#ifndef skyline_ViewerState_h
+#define skyline_ViewerState_h
+
+#include "SunClock.h"
+#include "ViewerInput.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace skyline
+{
+
+/// A lamp over the ground.
+struct ViewerLamp
+{
+  double X = 0.0, Y = 0.0; ///< of the height field's image
+  double Height = 0.0;     ///< metres over the ground, exaggerated
+  double Radius = 1.0;     ///< metres
+  std::array<double, 3> Radiance{ { 1, 1, 1 } };
+
+  bool operator==(const ViewerLamp& other) const
+  {
+    return this->X == other.X && this->Y == other.Y && this->Height == other.Height &&
+      this->Radius == other.Radius && this->Radiance == other.Radiance;
+  }
+};
+
+/// What a key asks for that is not a number.
+enum class ViewerWish
+{
+  Nothing, ///< the key means nothing
+  Changed, ///< the state below has changed, or had its limit
+  Lamp,    ///< a lamp under the mouse
+  Png,     ///< a screenshot
+  Exr,     ///< a screenshot in linear light
+  Camera,  ///< the view as at the start
+  Leave
+};
+
+/// One of the two sliders.
+struct ViewerSlider
+{
+  double Low = 0.0, High = 1.0, Value = 0.0;
+  std::string Label;
+};
+
+/// The state and what keys, sliders and drags do to it.
+struct ViewerState
+{
+  static constexpr double LeastExaggeration = 0.1;
+  static constexpr double GreatestExaggeration = 20.0;
+  static constexpr std::size_t Sliders = 2;
+
+  bool ByTime = false; ///< the sun follows Clock; else Azimuth, Elevation
+  SunClock Clock;
+  double Azimuth = 315.0;  ///< degrees from grid north
+  double Elevation = 45.0; ///< degrees
+  bool Sun = true;
+  bool Animated = false;
+
+  std::vector<std::string> Skies{ "uniform" }; ///< as --environment names them
+  std::size_t Sky = 0;
+  double Rotation = 0.0; ///< degrees
+
+  std::vector<ViewerLamp> Lamps;
+  std::size_t Chosen = 0; ///< lamp; Lamps.size() or more: none
+
+  double Exaggeration = 1.0;
+  double Exposure = 0.0; ///< stops beside the automatic exposure
+  std::size_t Colors = 0;
+  std::size_t ColorCount = 1;
+
+  bool Help = false;
+  bool Times = true;
+
+  ViewerWish Press(int key, const Modifiers& with);
+
+  ViewerSlider GetSlider(std::size_t which) const;
+  void SetSlider(std::size_t which, double value);
+
+  /// The sun dragged by parts of the window's width and height: a day across, a year upwards.
+  void DragSun(double across, double up);
+
+  /// Seconds of the animation, a day in half a minute.
+  void Advance(double seconds);
+
+  /// Adds a sky, once, and makes it the present one.
+  void TakeSky(const std::string& name);
+
+  void AddLamp(const ViewerLamp& lamp);
+  bool HasChosen() const { return this->Chosen < this->Lamps.size(); }
+
+private:
+  void StepAcross(double steps, bool fine);
+  void StepUp(int steps, bool fine);
+  ViewerWish ChangeLamp(int key);
+};
+
+} // namespace skyline
+
+#endif
