@@ -2,12 +2,12 @@
 #include "vtkHeightFieldAlgorithm.h"
 
 #include "HorizonScene.h"
+#include "WholeField.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVersionMacros.h"
 
 #include <exception>
@@ -45,11 +45,7 @@ int vtkHeightFieldAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 int vtkHeightFieldAlgorithm::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** in, vtkInformationVector*)
 {
-  // Any post may be the horizon of any other.
-  vtkInformation* info = in[0]->GetInformationObject(0);
-  int extent[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  skyline::RequestWhole(in[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -61,6 +57,7 @@ int vtkHeightFieldAlgorithm::RequestData(
   vtkDataArray* heights = this->GetInputArrayToProcess(0, in);
   try
   {
+    skyline::CheckWhole(in[0]->GetInformationObject(0));
     if (heights == nullptr || heights->GetNumberOfTuples() != input->GetNumberOfPoints())
     {
       throw std::invalid_argument(
@@ -108,6 +105,7 @@ int vtkHeightFieldAlgorithm::RequestData(
     {
       output->Initialize();
     }
+    skyline::KeepPiece(out->GetInformationObject(0));
     return 1;
   }
   catch (const std::exception& reason)

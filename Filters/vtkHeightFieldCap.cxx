@@ -2,6 +2,7 @@
 #include "vtkHeightFieldCap.h"
 
 #include "ShadowHeightCap.h"
+#include "WholeField.h"
 #include "vtkDataArray.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
@@ -14,8 +15,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <stdexcept>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeightFieldCap);
@@ -85,10 +86,8 @@ int vtkHeightFieldCap::FillInputPortInformation(int port, vtkInformation* info)
 int vtkHeightFieldCap::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** in, vtkInformationVector*)
 {
-  vtkInformation* info = in[0]->GetInformationObject(0);
-  int extent[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  skyline::RequestWhole(in[0]->GetInformationObject(0));
+  skyline::RequestWhole(in[1]->GetInformationObject(0));
   return 1;
 }
 
@@ -111,6 +110,16 @@ int vtkHeightFieldCap::RequestData(
   {
     posts[static_cast<std::size_t>(post)] = heights->GetComponent(post, 0);
   }
+  try
+  {
+    skyline::CheckWhole(in[0]->GetInformationObject(0));
+  }
+  catch (const std::invalid_argument& reason)
+  {
+    output->Initialize();
+    vtkErrorMacro(<< reason.what());
+    return 0;
+  }
   Cap(vtkPolyData::GetData(in[1]), input, posts);
 
   const int type = heights->GetDataType() == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT;
@@ -128,5 +137,6 @@ int vtkHeightFieldCap::RequestData(
   {
     output->GetPointData()->SetScalars(raised);
   }
+  skyline::KeepPiece(out->GetInformationObject(0));
   return 1;
 }

@@ -2,6 +2,7 @@
 #include "vtkShadowReceiver.h"
 
 #include "ShadowHeightPenumbra.h"
+#include "WholeField.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -13,7 +14,6 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkSMPTools.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <array>
@@ -173,10 +173,7 @@ int vtkShadowReceiver::FillInputPortInformation(int port, vtkInformation* info)
 int vtkShadowReceiver::ComputeInputUpdateExtent(
   vtkInformation*, vtkInformationVector** in, vtkInformationVector*)
 {
-  vtkInformation* info = in[1]->GetInformationObject(0);
-  int extent[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  skyline::RequestWhole(in[1]->GetInformationObject(0));
   return 1;
 }
 
@@ -187,6 +184,7 @@ int vtkShadowReceiver::RequestData(
   vtkPointSet* output = vtkPointSet::GetData(out);
   try
   {
+    skyline::CheckWhole(in[1]->GetInformationObject(0));
     const Receiver receiver(vtkImageData::GetData(in[1]), this->PenumbraDepth);
     output->ShallowCopy(input);
     vtkNew<vtkFloatArray> visibility;

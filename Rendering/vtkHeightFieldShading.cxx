@@ -7,6 +7,7 @@
 #include "Normals.h"
 #include "SunField.h"
 #include "ToneMap.h"
+#include "WholeField.h"
 #include "vtkSkylineGeoreference.h"
 
 #include "vtkDataArray.h"
@@ -19,7 +20,6 @@
 #include "vtkSMPTools.h"
 #include "vtkScalarsToColors.h"
 #include "vtkSmartPointer.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -277,13 +277,7 @@ int vtkHeightFieldShading::RequestInformation(
 int vtkHeightFieldShading::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
-  vtkInformation* in = input[0]->GetInformationObject(0);
-  if (in->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
-  {
-    int whole[6];
-    in->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-    in->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
-  }
+  skyline::RequestWhole(input[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -332,6 +326,7 @@ int vtkHeightFieldShading::RequestData(
   skyline::SunField sun = skyline::SunField::Constant(0.0, 90.0, 0.0);
   try
   {
+    skyline::CheckWhole(input[0]->GetInformationObject(0));
     sun = this->UseTime
       ? skyline::SunField(terrain.Place, skyline::ParseUtcTime(this->Time), terrain.MeanHeight())
       : skyline::SunField::Constant(this->SunAzimuth, this->SunElevation, 0.0);
@@ -406,6 +401,7 @@ int vtkHeightFieldShading::RequestData(
   out->GetPointData()->AddArray(radiance);
   out->GetPointData()->AddArray(picture);
   out->GetPointData()->SetActiveScalars("Picture"); // SetScalars would drop the heights
+  skyline::KeepPiece(output->GetInformationObject(0));
   this->UpdateProgress(1.0);
   return 1;
 }

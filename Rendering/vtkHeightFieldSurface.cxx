@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldSurface.h"
 
+#include "WholeField.h"
+
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -16,6 +18,7 @@
 
 #include <array>
 #include <cmath>
+#include <exception>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeightFieldSurface);
@@ -177,9 +180,21 @@ int vtkHeightFieldSurface::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+// A piece would have rims of its own.
+int vtkHeightFieldSurface::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
+{
+  skyline::RequestWhole(input[0]->GetInformationObject(0));
+  return 1;
+}
+
 int vtkHeightFieldSurface::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
+  if (!skyline::IsFirstPiece(output->GetInformationObject(0)))
+  {
+    return 1;
+  }
   vtkImageData* image = vtkImageData::GetData(input[0]);
   vtkDataArray* heights = this->GetInputArrayToProcess(0, input);
   const int* size = image->GetDimensions();
@@ -193,6 +208,15 @@ int vtkHeightFieldSurface::RequestData(
     heights->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
     vtkErrorMacro("no heights: the image has no array of one number a post");
+    return 0;
+  }
+  try
+  {
+    skyline::CheckWhole(input[0]->GetInformationObject(0));
+  }
+  catch (const std::exception& reason)
+  {
+    vtkErrorMacro(<< reason.what());
     return 0;
   }
   Mesh mesh(image, heights, this->Stride, this->Exaggeration);

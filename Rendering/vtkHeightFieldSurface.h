@@ -11,6 +11,8 @@
  *
  * With SkirtOn the output is the wall that hangs from the rims of that mesh instead, down to
  * SkirtBase: drawn beside it, the terrain looks like a block and not like a sheet.
+ *
+ * Where several processes ask for a piece each, the first gets all of it.
  */
 #ifndef vtkHeightFieldSurface_h
 #define vtkHeightFieldSurface_h
@@ -58,6 +60,8 @@ protected:
   ~vtkHeightFieldSurface() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 

@@ -6,6 +6,7 @@
 #include "vtkHeightFieldHorizon.h"
 #include "vtkHeightFieldSkyView.h"
 #include "vtkHeightFieldSunShadow.h"
+#include "vtkPointData.h"
 
 #include <gtest/gtest.h>
 
@@ -51,6 +52,33 @@ TEST(FilterInput, NoHeights)
   vtkNew<vtkHeightFieldHorizon> filter;
   filter->SetInputData(empty);
   ExpectRefusal(filter, "no heights");
+}
+
+// Two processes get the two parts of what one process gets.
+TEST(FilterInput, Pieces)
+{
+  const auto image = ImageOf<vtkFloatArray>(shapes::Plane(9, 12, 1.0, 0.3, -0.2));
+  vtkNew<vtkHeightFieldHorizon> serial;
+  serial->SetInputData(image);
+  serial->Update();
+  vtkDataArray* wanted = serial->GetOutput()->GetPointData()->GetArray("HorizonElevation");
+  vtkIdType posts = 0;
+  for (int piece = 0; piece < 2; ++piece)
+  {
+    vtkNew<vtkHeightFieldHorizon> filter;
+    filter->SetInputData(image);
+    filter->UpdatePiece(piece, 2, 0);
+    vtkImageData* part = filter->GetOutput();
+    vtkDataArray* found = part->GetPointData()->GetArray("HorizonElevation");
+    ASSERT_NE(found, nullptr);
+    posts += part->GetNumberOfPoints();
+    for (vtkIdType post = 0; post < part->GetNumberOfPoints(); ++post)
+    {
+      const vtkIdType whole = image->FindPoint(part->GetPoint(post));
+      EXPECT_EQ(found->GetComponent(post, 5), wanted->GetComponent(whole, 5));
+    }
+  }
+  EXPECT_EQ(posts, image->GetNumberOfPoints() + 9); // the row where they meet is in both
 }
 
 TEST(FilterInput, Slices)
