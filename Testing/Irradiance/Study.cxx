@@ -258,7 +258,7 @@ void MeasurePlaced(const Terrain& terrain)
   }
   std::printf("\n| azimuths | even | placed by the field's horizons | by each post's own |\n"
               "| --- | --- | --- | --- |\n");
-  for (const std::size_t count : { 32u, 64u, 128u, 256u })
+  for (const std::size_t count : { 32u, 64u, 128u, 256u, 512u })
   {
     std::vector<std::size_t> even;
     for (std::size_t a = 0; a < TruthAzimuths; a += TruthAzimuths / count)

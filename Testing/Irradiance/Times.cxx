@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <vector>
 
 namespace
 {
@@ -86,34 +87,37 @@ void OnHost(const char* scene, vtkImageData* image, int azimuths)
   Print("environment", scene, side, azimuths, environment);
 }
 
-void OnDevice(
+/// The published sweeps, and shadow heights; with a device their twins too.
+void Sweeps(
   const char* scene, vtkImageData* image, int azimuths, vtkOpenGLHeightFieldDevice* device)
 {
   const int side = image->GetDimensions()[0];
-  vtkNew<vtkHeightFieldHorizon> host;
-  vtkNew<vtkOpenGLHeightFieldHorizon> twin;
-  twin->SetDevice(device);
-  for (vtkHeightFieldHorizon* filter :
-    { host.GetPointer(), static_cast<vtkHeightFieldHorizon*>(twin) })
-  {
-    filter->SetInputData(image);
-    filter->SetMethodToSweep();
-    filter->SetNumberOfAzimuths(azimuths);
-    Print(filter == host ? "sweep" : "sweep twin", scene, side, azimuths, filter);
-  }
+  vtkNew<vtkHeightFieldHorizon> horizon;
   vtkNew<vtkShadowHeightMap> shadow;
-  vtkNew<vtkOpenGLShadowHeightMap> other;
-  other->SetDevice(device);
-  for (vtkShadowHeightMap* filter :
-    { shadow.GetPointer(), static_cast<vtkShadowHeightMap*>(other) })
+  std::vector<vtkSmartPointer<vtkHeightFieldHorizon>> horizons{ horizon.Get() };
+  std::vector<vtkSmartPointer<vtkShadowHeightMap>> shadows{ shadow.Get() };
+  if (device)
   {
-    filter->SetInputData(image);
-    filter->SetSunAzimuth(200.0);
-    filter->SetSunElevation(15.0);
-    filter->SetMethodToSweep();
-    Print(filter == shadow ? "shadow sweep" : "shadow sweep twin", scene, side, 1, filter);
-    filter->SetMethodToExact();
-    Print(filter == shadow ? "shadow exact" : "shadow exact twin", scene, side, 1, filter);
+    vtkNew<vtkOpenGLHeightFieldHorizon> otherHorizon;
+    otherHorizon->SetDevice(device);
+    horizons.emplace_back(otherHorizon);
+    vtkNew<vtkOpenGLShadowHeightMap> otherShadow;
+    otherShadow->SetDevice(device);
+    shadows.emplace_back(otherShadow);
+  }
+  for (std::size_t k = 0; k < horizons.size(); ++k)
+  {
+    horizons[k]->SetInputData(image);
+    horizons[k]->SetMethodToSweep();
+    horizons[k]->SetNumberOfAzimuths(azimuths);
+    Print(k == 0 ? "sweep" : "sweep twin", scene, side, azimuths, horizons[k]);
+    shadows[k]->SetInputData(image);
+    shadows[k]->SetSunAzimuth(200.0);
+    shadows[k]->SetSunElevation(15.0);
+    shadows[k]->SetMethodToSweep();
+    Print(k == 0 ? "shadow sweep" : "shadow sweep twin", scene, side, 1, shadows[k]);
+    shadows[k]->SetMethodToExact();
+    Print(k == 0 ? "shadow exact" : "shadow exact twin", scene, side, 1, shadows[k]);
   }
 }
 
@@ -138,16 +142,23 @@ int main(int argc, char** argv)
     {
       const auto image = ImageOf<vtkFloatArray>(scene.Field);
       OnHost(scene.Name, image, side > 2048 ? 4 : 16);
-      if (there && side <= most)
-      {
-        OnDevice(scene.Name, image, 4, device);
-      }
+      Sweeps(scene.Name, image, 4, there && side <= most ? device.Get() : nullptr);
     }
   }
   const auto image = ImageOf<vtkFloatArray>(shapes::Fractal(512, 512, 30.0, 1500.0, 7));
   for (const int azimuths : { 8, 32, 64, 128 })
   {
     OnHost("fractal", image, largest < 512 ? 8 : azimuths);
+  }
+  // What a frame is made of: on a field of 16 x 16 posts the tables are all of it.
+  const auto tiny = ImageOf<vtkFloatArray>(shapes::Fractal(16, 16, 30.0, 1500.0, 7));
+  for (const int azimuths : { 16, 128 })
+  {
+    OnHost("tables", tiny, azimuths);
+    vtkNew<vtkHeightFieldHorizon> horizon;
+    horizon->SetInputData(image);
+    horizon->SetNumberOfAzimuths(azimuths);
+    Print("horizon alone", "fractal", 512, azimuths, horizon);
   }
   return 0;
 }
