@@ -106,7 +106,7 @@ public:
   }
   Box Place(double x, double y, const std::string& text)
   {
-    constexpr double letter = 5.6, height = 12.0; // pixels, of the font below
+    constexpr double letter = 6.3, height = 12.0; // pixels, of the font below
     const double width = letter * LengthOf(text) + 2.0;
     Box best{};
     double least = std::numeric_limits<double>::infinity();
@@ -171,7 +171,19 @@ void Range(const std::vector<double>& values, double& first, double& last)
   last = std::ceil(2.0 * std::log10(*high) + 0.3) / 2.0;
 }
 
-constexpr double LeastError = 1e-7; // what lies below stands on the edge
+// What has no error stands on the lower edge, a tenth of the least error above 0.
+constexpr double NoError = 1e-7;
+
+double EdgeOf(const std::vector<const Finding*>& findings)
+{
+  double least = 1.0;
+  for (const Finding* finding : findings)
+  {
+    const double error = ErrorOf(*finding);
+    least = error > NoError ? std::min(least, error) : least;
+  }
+  return 0.1 * least;
+}
 
 std::string DrawAxes(const Axis& x, const Axis& y, const Quantity& quantity)
 {
@@ -270,14 +282,15 @@ std::string DrawChart(const std::vector<const Finding*>& findings, const ChartSt
     return "";
   }
   const Quantity& quantity = FindQuantity(findings.front()->What.Quantity);
+  const double edge = EdgeOf(findings);
   std::vector<double> times, errors;
   for (const Finding* finding : findings)
   {
     times.push_back(TimeOf(*finding));
-    errors.push_back(std::max(ErrorOf(*finding), LeastError));
+    errors.push_back(std::max(ErrorOf(*finding), edge));
   }
   const double top = style.Title.empty() ? 10.0 : 32.0;
-  Axis x{ 0.0, 0.0, 58.0, style.Width - 14.0 }, y{ 0.0, 0.0, style.Height - 42.0, top };
+  Axis x{ 0.0, 0.0, 58.0, style.Width - 26.0 }, y{ 0.0, 0.0, style.Height - 42.0, top };
   Range(times, x.First, x.Last);
   Range(errors, y.First, y.Last);
 
@@ -298,7 +311,7 @@ std::string DrawChart(const std::vector<const Finding*>& findings, const ChartSt
   svg += DrawAxes(x, y, quantity);
 
   const auto at = [&](const Finding& finding)
-  { return std::pair(x(TimeOf(finding)), y(std::max(ErrorOf(finding), LeastError))); };
+  { return std::pair(x(TimeOf(finding)), y(std::max(ErrorOf(finding), edge))); };
   std::string line;
   double before = y.End;
   for (const Finding* finding : Front(findings))
@@ -309,7 +322,7 @@ std::string DrawChart(const std::vector<const Finding*>& findings, const ChartSt
   }
   svg += "<path class=\"front\" d=\"" + line + Text("H%.1f", x.End) + "\"/>";
 
-  Labels labels({ x.Begin + 1.0, top, x.End + 12.0, y.Begin });
+  Labels labels({ x.Begin + 1.0, top, x.End + 24.0, y.Begin });
   for (const Finding* finding : findings)
   {
     const auto [px, py] = at(*finding);
@@ -320,15 +333,23 @@ std::string DrawChart(const std::vector<const Finding*>& findings, const ChartSt
   {
     const auto [px, py] = at(*finding);
     const std::string text =
-      finding->What.Label + (ErrorOf(*finding) < LeastError ? " (no error)" : "");
+      finding->What.Label + (ErrorOf(*finding) < NoError ? " (no error)" : "");
     const Box box = labels.Place(px, py, text);
     const double cx = std::clamp(px, box.Left, box.Right), cy = std::clamp(py, box.Top, box.Bottom);
     if (std::hypot(cx - px, cy - py) > 12.0)
     {
       svg += Text("<path class=\"leader\" d=\"M%.1f %.1fL%.1f %.1f\"/>", px, py, cx, cy);
     }
-    svg += Text("<text x=\"%.1f\" y=\"%.1f\">", box.Left + 1.0, box.Bottom - 2.5) + Escaped(text) +
-      "</text>";
+    // Anchored at the side of the point: fonts differ in width.
+    const bool right = box.Left >= px, left = box.Right <= px;
+    const double from = right ? box.Left + 1.0
+      : left                  ? box.Right - 1.0
+                              : 0.5 * (box.Left + box.Right);
+    svg += Text("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", from, box.Bottom - 2.5,
+             right    ? "start"
+               : left ? "end"
+                      : "middle") +
+      Escaped(text) + "</text>";
     symbols += "<g><title>" + Escaped(TipOf(*finding)) + "</title>" +
       Symbol(MarkOf(finding->What.Kind), px, py) + "</g>";
   }

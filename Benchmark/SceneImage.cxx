@@ -7,6 +7,9 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
+#include <cmath>
+#include <limits>
+
 namespace skyline
 {
 namespace benchmark
@@ -37,7 +40,17 @@ void SetHeights(vtkImageData* image, const oracle::OracleField& field)
 
 void Touch(vtkImageData* image)
 {
-  image->GetPointData()->GetScalars()->Modified();
+  auto* heights = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
+  for (vtkIdType post = 0; post < heights->GetNumberOfTuples(); ++post)
+  {
+    const float height = heights->GetValue(post);
+    if (std::isfinite(height))
+    {
+      heights->SetValue(post, std::nextafter(height, std::numeric_limits<float>::infinity()));
+      break;
+    }
+  }
+  heights->Modified();
   image->Modified();
 }
 

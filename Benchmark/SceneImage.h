@@ -20,7 +20,8 @@ vtkSmartPointer<vtkImageData> ImageOf(const oracle::OracleField& field);
 /// The heights of an image that has changed: every filter behind it has to run again.
 void SetHeights(vtkImageData* image, const oracle::OracleField& field);
 
-/// Tells the filters that the heights have changed, though they have not.
+/// Changes the heights as little as can be, so that every filter behind them has to run again: one
+/// post rises by a float's smallest step (filters may compare heights, not times).
 void Touch(vtkImageData* image);
 
 } // namespace benchmark

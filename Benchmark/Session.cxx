@@ -70,6 +70,7 @@ std::vector<Job> MakeJobs(const SessionOptions& options, const std::vector<Stage
     // Light is measured on few of the made scenes: it repeats what horizons say.
     const bool main = k < options.Rasters.size() || begins(stage, { "hills", "helens", "lidar" });
     const bool only = stages.size() == 1;
+    const std::size_t before = jobs.size();
     AddHorizonJobs(jobs, stage, main || only);
     if (main || only)
     {
@@ -86,13 +87,19 @@ std::vector<Job> MakeJobs(const SessionOptions& options, const std::vector<Stage
     {
       AddThreadJobs(jobs, stage);
     }
+    for (std::size_t j = before; j < jobs.size() && !main; ++j)
+    {
+      jobs[j].What.Turn += jobs[j].What.Turn > 0 && jobs[j].What.Quantity != "frame" ? 2 : 0;
+    }
   }
-  if (!options.Kinds.empty())
+  const auto wanted = [&](const Task& task)
   {
-    jobs.erase(std::remove_if(jobs.begin(), jobs.end(),
-                 [&](const Job& job) { return !IsAmong(job.What.Kind, options.Kinds); }),
-      jobs.end());
-  }
+    return (options.Kinds.empty() || IsAmong(task.Kind, options.Kinds)) &&
+      (options.Quantities.empty() || IsAmong(task.Quantity, options.Quantities));
+  };
+  jobs.erase(
+    std::remove_if(jobs.begin(), jobs.end(), [&](const Job& job) { return !wanted(job.What); }),
+    jobs.end());
   std::stable_sort(
     jobs.begin(), jobs.end(), [](const Job& a, const Job& b) { return a.What.Turn < b.What.Turn; });
   return jobs;

@@ -18,11 +18,12 @@ namespace benchmark
 
 struct SessionOptions
 {
-  std::vector<std::string> Scenes;  ///< of SceneNames()
-  std::vector<std::string> Rasters; ///< files
-  std::vector<std::string> Kinds;   ///< of Kinds(); empty: all
-  std::vector<int> Sizes{ 512 };    ///< posts of a side of the made scenes
-  double Budget = 120.0;            ///< seconds after which no measurement begins
+  std::vector<std::string> Scenes;     ///< of SceneNames()
+  std::vector<std::string> Rasters;    ///< files
+  std::vector<std::string> Kinds;      ///< of Kinds(); empty: all
+  std::vector<std::string> Quantities; ///< names of Quantities(); empty: all
+  std::vector<int> Sizes{ 384 };       ///< posts of a side of the made scenes
+  double Budget = 120.0;               ///< seconds after which no measurement begins
 };
 
 /// What came out.

@@ -18,13 +18,13 @@ namespace benchmark
 /// How much work is done for a scene.
 struct Effort
 {
-  std::ptrdiff_t Size = 512; ///< posts of a side of the made scenes
+  std::ptrdiff_t Size = 384; ///< posts of a side of the made scenes
   int Azimuths = 32;         ///< of horizons
   int Posts = 1024;          ///< whose horizons are compared
   int SkyPosts = 96;         ///< whose light is compared
   int SkyAzimuths = 360;     ///< of the truth of their light
   int Repeats = 5;           ///< of every time, fewer of slow ones
-  double Seconds = 1.0;      ///< after which no repeat begins
+  double Seconds = 0.35;     ///< after which no repeat begins
 };
 
 /// A sun, degrees clockwise from grid north and above the horizontal plane.

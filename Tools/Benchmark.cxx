@@ -199,6 +199,18 @@ void AddBenchmark(CLI::App& program)
     ->allow_extra_args(false)
     ->type_name("NAME,...")
     ->check(CLI::IsMember(Kinds()));
+  std::vector<std::string> quantities;
+  for (const Quantity& quantity : Quantities())
+  {
+    quantities.push_back(quantity.Name);
+  }
+  app
+    ->add_option("--quantities", command->Options.Quantities,
+      "What is measured, separated by commas. Default: all")
+    ->delimiter(',')
+    ->allow_extra_args(false)
+    ->type_name("NAME,...")
+    ->check(CLI::IsMember(quantities));
   app
     ->add_option("--sizes", command->Options.Sizes,
       "Posts of a side of the made scenes, separated by commas; 32 to 4096")

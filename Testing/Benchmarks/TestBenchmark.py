@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""skyline benchmark: the page, its figures, and that a stopped or failed run leaves nothing."""
+import csv
+import html.parser
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Tools"))
+import Program
+from Program import ToolTest, UTM10, hills, make
+
+# Seconds from the signal to the end: measurements are killed at once, truths notice soon.
+SOON = 10.0
+
+
+class Page(html.parser.HTMLParser):
+    """Collects what a page loads from elsewhere, its charts and its text."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.loads, self.charts, self.text, self.open = [], 0, "", []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        self.charts += tag == "svg"
+        if tag not in ("meta", "path", "circle", "rect"):
+            self.open.append(tag)
+        self.loads += [(tag, name) for name, _ in attributes if name in ("src", "href")]
+        self.loads += [(tag, "script")] * (tag == "script")
+
+    def handle_endtag(self, tag):
+        while self.open and self.open.pop() != tag:
+            pass
+
+    def handle_data(self, data):
+        self.text += data
+
+
+class Benchmark(ToolTest):
+    def read(self, *names):
+        with open(os.path.join(self.folder, *names), encoding="utf-8") as file:
+            return file.read()
+
+    def test_page_table_and_json_tell_the_same(self):
+        make(self.path("my hills.tif"), hills(70, 60), epsg=UTM10)
+        done = self.succeed("benchmark", "my hills.tif", "-o", "report", "--scenes", "cone",
+                            "--sizes", "64", "--quantities", "horizon,sun", "--methods",
+                            "exact,fast,sweep,pyramid,every,shadow-height,gdaldem", "--budget", 30)
+        self.assertIn("report/index.html: ", done.stdout)
+        self.assertEqual(sorted(os.listdir(self.path("report"))),
+                         ["index.html", "pareto.svg", "results.csv", "results.json"])
+        page = Page(self.read("report", "index.html"))
+        self.assertEqual(page.loads, [], "a page for itself")
+        self.assertEqual(page.open, [], "every element is closed")
+        self.assertEqual(page.charts, 4)
+        for words in ["my hills", "cone", "'my hills.tif'", "exact over every crossing",
+                      "sweep and pyramid"]:
+            self.assertIn(words, page.text)
+        session = json.loads(self.read("report", "results.json"))
+        rows = list(csv.DictReader(self.read("report", "results.csv").splitlines()))
+        self.assertEqual(len(rows), len(session["findings"]))
+        for row, finding in zip(rows, session["findings"]):
+            self.assertEqual((row["label"], row["scene"]), (finding["label"], finding["scene"]))
+            self.assertEqual(row["rmse"], "" if "rmse" not in finding
+                             else "%.9g" % finding["rmse"])
+        found = {(f["quantity"], f["scene"], f["label"]): f for f in session["findings"]}
+        for scene in ["my hills", "cone"]:
+            exact = found["horizon", scene, "exact"]
+            self.assertTrue(exact["ran"])
+            self.assertLess(exact["max"], 0.01)
+            self.assertGreater(exact["cpu_median_ns"], 0.0)
+            self.assertLess(found["horizon", scene, "fast"]["max"], 0.26)
+            self.assertGreater(found["horizon", scene, "pyramid"]["rmse"], exact["rmse"])
+            self.assertEqual(found["sun", scene, "exact"]["wrong_percent"], 0.0)
+            self.assertEqual(found["sun", scene, "shadow height"]["wrong_percent"], 0.0)
+            self.assertAlmostEqual(found["sun", scene, "exact"]["ssim"], 1.0, 9)
+
+    def test_light_is_near_the_truth(self):
+        self.succeed("benchmark", "-o", "report", "--scenes", "hills", "--sizes", "64", "--quantities",
+                     "sky,irradiance,lamp", "--methods", "exact,harmonics,lamp", "--budget", 30)
+        findings = json.loads(self.read("report", "results.json"))["findings"]
+        found = {(f["quantity"], f["label"]): f for f in findings}
+        self.assertLess(found["sky", "exact 36"]["rmse"], 0.01)
+        self.assertLess(found["irradiance", "exact 64"]["rmse"], 1.0)
+        self.assertLess(found["irradiance", "SH 4, exact"]["rmse"], 10.0)
+        # 1024 rays of the truth leave 1 / sqrt(1024) of a penumbra.
+        self.assertLess(found["lamp", "lamp, 32 planes"]["rmse"], 3.0)
+
+    def test_no_time_is_said(self):
+        self.succeed("benchmark", "-o", "report", "--scenes", "hills", "--sizes", "32",
+                     "--budget", 0)
+        self.assertIn("For want of time", self.read("report", "index.html"))
+
+    def test_failures(self):
+        self.refused(2, "benchmark")
+        self.refused(2, "benchmark", "-o", "report", "--scenes", "moon")
+        self.refused(2, "benchmark", "-o", "report", "--methods", "magic")
+        self.refused(2, "benchmark", "-o", "report", "--sizes", "8")
+        self.refused(2, "benchmark", "-o", "report", "--budget", "-1")
+        self.refused(1, "benchmark", "-o", "report", "--scenes", "none", says="nothing to measure")
+        self.refused(1, "benchmark", "-o", "report", "--scenes", "none", "gone.tif",
+                     says="gone.tif")
+        with open(self.path("file"), "w", encoding="utf-8"):
+            pass
+        self.refused(1, "benchmark", "-o", "file", says="file is a file")
+        self.refused(1, "benchmark", "-o", "no/such/folder", says="no/such/folder")
+
+    def test_interrupted_leaves_nothing(self):
+        os.mkdir(self.path("temporary"))
+        environment = dict(os.environ, TMPDIR=self.path("temporary"))
+        # The middle of a truth, and of measurements.
+        for options, wait in [(["--sizes", "2048"], 3.0), (["--sizes", "256"], 4.0)]:
+            with self.subTest(options=options):
+                running = subprocess.Popen(
+                    [Program.PROGRAM, "benchmark", "-o", "report", "--scenes", "hills", *options],
+                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.folder,
+                    env=environment)
+                time.sleep(wait)
+                self.assertIsNone(running.poll())
+                sent = time.monotonic()
+                running.send_signal(signal.SIGINT)
+                out, text = running.communicate(timeout=60)
+                self.assertLess(time.monotonic() - sent, SOON)
+                self.assertEqual((running.returncode, out, text), (1, "", "skyline: interrupted\n"))
+                self.assertEqual(self.files(), ["temporary"])
+                self.assertEqual(os.listdir(self.path("temporary")), [])
+
+
+if __name__ == "__main__":
+    Program.main()
