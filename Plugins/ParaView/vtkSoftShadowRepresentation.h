@@ -13,17 +13,17 @@
 #define vtkSoftShadowRepresentation_h
 
 #include "SkylineParaViewModule.h" // For export macro
-#include "vtkGeometryRepresentation.h"
+#include "vtkGeometryRepresentationWithFaces.h"
 #include "vtkNew.h" // For Shader
 
 class vtkSoftShadowGeometry;
 class vtkSoftShadowShader;
 
-class SKYLINEPARAVIEW_EXPORT vtkSoftShadowRepresentation : public vtkGeometryRepresentation
+class SKYLINEPARAVIEW_EXPORT vtkSoftShadowRepresentation : public vtkGeometryRepresentationWithFaces
 {
 public:
   static vtkSoftShadowRepresentation* New();
-  vtkTypeMacro(vtkSoftShadowRepresentation, vtkGeometryRepresentation);
+  vtkTypeMacro(vtkSoftShadowRepresentation, vtkGeometryRepresentationWithFaces);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

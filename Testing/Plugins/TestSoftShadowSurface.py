@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The representation Soft Shadow Surface: its picture from above against the formula, pictures to
+look at, and a state file."""
+import numpy as np
+from paraview import servermanager, simple
+from PluginTesting import OUTPUT, TIME, expect, fetch, filters, main, points, read_dem
+from paraview.vtk.vtkRenderingCore import vtkWindowToImageFilter
+from paraview.vtk.util.numpy_support import vtk_to_numpy
+
+# Mean difference in codes of 255: half a code by rounding, some at texels of steep light.
+CODES = 2.0
+
+
+def picture(view, name):
+    """The pixels of a view, rows from below; the file is written too."""
+    simple.Render(view)
+    simple.SaveScreenshot(f"{OUTPUT}/{name}.png", view, ImageResolution=list(view.ViewSize))
+    window = vtkWindowToImageFilter()
+    window.SetInput(view.GetRenderWindow())
+    window.ReadFrontBufferOff()
+    window.Update()
+    image = window.GetOutput()
+    columns, rows, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1)[:, :, :3]
+
+
+def encode(light):
+    """Codes of linear light, 0 to 255."""
+    light = np.clip(light, 0.0, 1.0)
+    return 255.0 * np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
+
+
+def make_view(size):
+    """A view without decoration, on the background's code 10."""
+    view = simple.CreateView("RenderView")
+    view.ViewSize = size
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.Background = [10 / 255.0] * 3
+    return view
+
+
+def look_down(view, image):
+    """A pixel a post."""
+    x0, x1, y0, y1, _, _ = image.GetBounds()
+    simple.Render(view)  # the first one places the camera
+    view.CameraParallelProjection = 1
+    view.CameraFocalPoint = [0.5 * (x0 + x1), 0.5 * (y0 + y1), 0.0]
+    view.CameraPosition = [0.5 * (x0 + x1), 0.5 * (y0 + y1), 50000.0]
+    view.CameraViewUp = [0, 1, 0]
+    view.CameraParallelScale = 0.5 * image.GetDimensions()[1] * image.GetSpacing()[1]
+
+
+def show(light, view):
+    """Shows a source as Soft Shadow Surface, white."""
+    display = simple.Show(light, view)
+    display.SetRepresentationType("Soft Shadow Surface")
+    simple.ColorBy(display, None)
+    display.DiffuseColor = [1, 1, 1]
+    return display
+
+
+def test_irradiance():
+    """Irradiance, from above, is what the array says"""
+    light = filters["Irradiance"](Input=read_dem(), SunAzimuth=120.0, SunElevation=20.0,
+        SkyRadiance=[0.1, 0.13, 0.2], Azimuths=16)
+    irradiance = points(light, "Irradiance")
+    image = fetch(light)
+    columns, rows, _ = image.GetDimensions()
+    view = make_view([columns, rows])
+    display = show(light, view)
+    display.SkylineAutoExposure = 0
+    display.SkylineExposure = 1.0
+    display.SkylineToneMapping = 0
+    look_down(view, image)
+    found = picture(view, "irradiance-above")
+    wanted = encode(2.0 * irradiance / np.pi).reshape(rows, columns, 3)
+    inside = (slice(2, -2), slice(2, -2))
+    error = np.nanmean(np.abs(found[inside].astype(float) - wanted[inside]))
+    print(f"mean difference {error:.2f} codes")
+    expect(error < CODES, f"the picture is off by {error} codes on average")
+
+    display.SkylineAutoExposure = 1
+    display.SkylineExposure = 0.0
+    display.SkylineToneMapping = 1
+    bright = np.percentile(picture(view, "irradiance-exposed")[inside], 98)
+    expect(150 < bright < 250, f"the exposed picture's bright parts have code {bright}")
+    simple.Delete(view)
+
+
+def test_harmonics():
+    """Transfer from above is the dot product; the sun moves without the filter"""
+    transfer = filters["TransferHarmonics"](Input=read_dem())
+    image = fetch(transfer)
+    columns, rows, _ = image.GetDimensions()
+    coefficients = points(transfer, "TransferSH")
+    view = make_view([columns, rows])
+    display = show(transfer, view)
+    display.SkylineLight = "Transfer (harmonics)"
+    display.SkylineSunIrradiance = [0, 0, 0]
+    display.SkylineSkyRadiance = [0.8, 0.8, 0.8]
+    display.SkylineAutoExposure = 0
+    display.SkylineToneMapping = 0
+    look_down(view, image)
+    found = picture(view, "transfer-sky")[2:-2, 2:-2]
+    sky = 0.8 * coefficients[:, 0] * np.sqrt(4.0 * np.pi) / np.pi
+    wanted = encode(sky).reshape(rows, columns)[2:-2, 2:-2]
+    error = np.nanmean(np.abs(found[:, :, 0].astype(float) - wanted))
+    print(f"mean difference {error:.2f} codes")
+    expect(error < CODES, f"the sky is off by {error} codes on average")
+
+    display.SkylineSunIrradiance = [3, 3, 3]
+    display.SkylineAutoExposure = 1
+    time = transfer.GetClientSideObject().GetOutputDataObject(0).GetUpdateTime()
+    east = [picture(view, f"transfer-sun-{azimuth}") for azimuth in (90, 270)
+            if not setattr(display, "SkylineSunAzimuth", azimuth)]
+    expect(np.abs(east[0].astype(float) - east[1]).mean() > 10.0, "the sun moves")
+    again = transfer.GetClientSideObject().GetOutputDataObject(0).GetUpdateTime()
+    expect(time == again, "a moved sun takes no new transfer")
+    visibility = filters["VisibilityHarmonics"](Input=transfer.Input)
+    simple.Hide(transfer, view)
+    show(visibility, view).SkylineLight = "Visibility (harmonics)"
+    seen = picture(view, "visibility")[2:-2, 2:-2]
+    expect(seen.std() > 10.0, "visibility is lit")
+    simple.Delete(view)
+
+
+def test_view():
+    """In perspective, with colours of heights; the state brings the same picture back"""
+    shadow = filters["Irradiance"](Input=read_dem(), Sun="Time", SunTime=TIME,
+        SunIrradiance=[3.0, 2.7, 2.2], SkyRadiance=[0.12, 0.16, 0.24], Azimuths=32)
+    simple.RenameSource("light", shadow)
+    view = make_view([640, 420])
+    display = show(shadow, view)
+    display.SkylineExaggeration = 1.5
+    simple.ColorBy(display, ("POINTS", "Elevation"))
+    simple.ResetCamera(view)
+    camera = view.GetActiveCamera()
+    camera.Elevation(-55)
+    camera.Zoom(1.5)
+    first = picture(view, "perspective")
+    share = (np.abs(first.astype(int) - 10) > 8).any(axis=2).mean()
+    expect(0.2 < share < 0.95, f"the terrain fills {share} of the picture")
+    path = OUTPUT + "/view.pvsm"
+    servermanager.SaveState(path)
+    simple.ResetSession()
+    simple.LoadState(path)
+    view = simple.GetActiveViewOrCreate("RenderView")
+    second = picture(view, "perspective-from-state")
+    expect(first.shape == second.shape and
+        np.abs(first.astype(float) - second).mean() < 0.5, "the state shows the same picture")
+
+
+def test_missing_light():
+    """Without the array nothing is drawn, and ParaView says why"""
+    view = make_view([100, 100])
+    dem = read_dem()
+    show(dem, view)
+    simple.ResetCamera(view)
+    expect(np.ptp(picture(view, "no-light")) == 0, "nothing is drawn")
+    simple.Delete(view)
+
+
+main(test_irradiance, test_harmonics, test_missing_light, test_view)
