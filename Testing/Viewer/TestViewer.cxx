@@ -9,10 +9,14 @@
 #include "vtkImageData.h"
 #include "vtkLightMapReader.h"
 #include "vtkPNGReader.h"
+#include "vtkPointData.h"
 #include "vtkRenderer.h"
+#include "vtkSoftShadowShader.h"
 
+#include <algorithm>
 #include <fstream>
 #include <memory>
+#include <vector>
 
 namespace skyline
 {
@@ -23,6 +27,9 @@ namespace
 
 constexpr int Width = 640;
 constexpr int Height = 400;
+
+// Light at a place against that at the nearest post, the median of a row of pixels.
+constexpr double NearestPost = 0.02;
 
 bool HasPass(const PassTimes& times, const std::string& name)
 {
@@ -312,6 +319,42 @@ TEST_F(ViewerTest, ScreenshotsHoldThePicture)
   EXPECT_EQ(this->View->GetMessage(), "wrote " + options.ShotFolder + "/skyline-1.exr");
   this->Rest();
   EXPECT_GT(Brightness(this->Window), 20.0) << "the window is as before";
+}
+
+// The picture in linear light, read back as a light map, which is twice as wide as high.
+TEST_F(ViewerTest, LinearScreenshotsHoldTheRadiance)
+{
+  const ViewerOptions options = Quick();
+  this->Open(options);
+  this->View->Resize(Width, Width / 2, 1.0);
+  this->View->KeyPress('V', Plain);
+  this->Rest();
+  this->View->KeyPress('P', Shift);
+  this->Draw();
+  vtkNew<vtkLightMapReader> reader;
+  reader->SetFileName((options.ShotFolder + "/skyline-1.exr").c_str());
+  reader->Update();
+  vtkImageData* picture = reader->GetOutput();
+  ASSERT_EQ(picture->GetDimensions()[0], Width);
+  ASSERT_EQ(picture->GetDimensions()[1], Width / 2);
+  const Rgb& sky = this->View->GetScene().GetSky();
+  for (int c = 0; c < 3; ++c)
+  {
+    const float seen = picture->GetScalarComponentAsFloat(2, Width / 2 - 3, 0, c);
+    EXPECT_NEAR(seen, sky[static_cast<std::size_t>(c)], 0.001f * sky[0]);
+  }
+  vtkImageData* lit = this->View->GetScene().GetShader()->GetHeightField();
+  std::vector<double> ratios;
+  for (int x = Width / 3; x < 2 * Width / 3; x += 5)
+  {
+    ScenePoint place;
+    ASSERT_TRUE(this->View->GetScene().FindPlace(x + 0.5, 80.5, place));
+    const vtkIdType post = lit->FindPoint(place[0], place[1], 0.0);
+    const double light = lit->GetPointData()->GetArray("Radiance")->GetComponent(post, 1);
+    ratios.push_back(picture->GetScalarComponentAsFloat(x, 80, 0, 1) / light);
+  }
+  std::sort(ratios.begin(), ratios.end());
+  EXPECT_NEAR(ratios[ratios.size() / 2], 1.0, NearestPost);
 }
 
 TEST_F(ViewerTest, ScreenshotsThatCannotBeWrittenAreAMessage)

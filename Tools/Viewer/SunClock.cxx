@@ -127,7 +127,7 @@ void SunClock::MonthAndDay(int& month, int& day) const
 
 int SunClock::Seconds() const
 {
-  return static_cast<int>(60.0 * this->Minutes + 0.5);
+  return static_cast<int>(std::lround(60.0 * this->Minutes));
 }
 
 std::string SunClock::ToTime() const

@@ -677,6 +677,10 @@ bool Viewer::Draw(double now)
   if (resting && !this->Exact)
   {
     this->Exact = this->Compute(*this->Full, true);
+    if (!this->Exact)
+    {
+      return false; // stopped by an event, which goes first
+    }
   }
   const bool coarse = !resting && this->FineSeconds > FluidSeconds;
   if (!this->Stale && coarse >= this->Scene->IsCoarse())
@@ -714,6 +718,7 @@ void Viewer::Paint(bool coarse)
   const bool fine = !coarse || shot;
   const auto start = Clock::now();
   this->Scene->SetCoarse(!fine);
+  this->Scene->GetRenderer()->SetUseFXAA(fine); // smooth rims, where there is time for them
   this->Scene->SetLamps(this->State.Lamps);
   this->Scene->SetExposure(this->Stops());
   this->Scene->Prepare();
@@ -801,7 +806,7 @@ HudContent Viewer::MakeHud() const
   const SunLight sun = this->MakeLight().Sun;
   std::ostringstream text;
   text << NameOf(this->Options.Terrain.File) << (this->Exact ? "" : "  (preview)") << "\n";
-  text << Format("sun    %s%05.1f\xc2\xb0  height %+.1f\xc2\xb0", sun.TrueNorth ? "" : "grid ",
+  text << Format("sun    %s%05.1f\xc2\xb0  elevation %.1f\xc2\xb0", sun.TrueNorth ? "" : "grid ",
             sun.TrueNorth ? sun.TrueAzimuth : sun.GridAzimuth, sun.ApparentElevation)
        << (state.Sun ? "" : "  off") << "\n";
   if (state.ByTime)
