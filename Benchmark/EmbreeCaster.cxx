@@ -68,7 +68,7 @@ double EmbreeCaster::Horizon(
   double blocked = free;
   if (occluded(free))
   {
-    for (; free < Highest; step *= 2.0)
+    while (free < Highest)
     {
       free = std::min(blocked + step, Highest);
       if (!occluded(free))
@@ -76,11 +76,12 @@ double EmbreeCaster::Horizon(
         break;
       }
       blocked = free;
+      step *= 2.0;
     }
   }
   else
   {
-    for (; blocked > Lowest; step *= 2.0)
+    while (blocked > Lowest)
     {
       blocked = std::max(free - step, Lowest);
       if (occluded(blocked))
@@ -88,6 +89,7 @@ double EmbreeCaster::Horizon(
         break;
       }
       free = blocked;
+      step *= 2.0;
     }
     if (free <= Lowest)
     {
@@ -106,8 +108,10 @@ double EmbreeCaster::Horizon(
 std::array<float, 3> EmbreeCaster::Place(std::ptrdiff_t post) const
 {
   const oracle::OracleField& field = this->Field;
-  const auto column = static_cast<double>(post % field.Columns - field.Columns / 2);
-  const auto row = static_cast<double>(post / field.Columns - field.Rows / 2);
+  const std::ptrdiff_t east = post % field.Columns - field.Columns / 2;
+  const std::ptrdiff_t north = post / field.Columns - field.Rows / 2;
+  const auto column = static_cast<double>(east);
+  const auto row = static_cast<double>(north);
   return { static_cast<float>(column * field.SpacingX), static_cast<float>(row * field.SpacingY),
     static_cast<float>(field.Heights[static_cast<std::size_t>(post)] - this->Base) };
 }

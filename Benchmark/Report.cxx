@@ -319,7 +319,7 @@ std::string ReportPicture(const Session& session)
   style.Width = 760.0;
   style.Height = 460.0;
   style.Alone = true;
-  style.Title = "Horizons: error against run time, " + DescriptionOf(session, scene);
+  style.Title = "Horizons on the scene " + scene + ": error against run time";
   return DrawChart(ChartOf(session.Findings, "horizon", scene), style);
 }
 

@@ -6,6 +6,10 @@
 #include "Scenes.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
 
 namespace skyline
 {
@@ -89,7 +93,7 @@ std::vector<Job> MakeJobs(const SessionOptions& options, const std::vector<Stage
     }
     for (std::size_t j = before; j < jobs.size() && !main; ++j)
     {
-      jobs[j].What.Turn += jobs[j].What.Turn > 0 && jobs[j].What.Quantity != "frame" ? 2 : 0;
+      jobs[j].What.Turn += jobs[j].What.Quantity == "frame" ? 0 : 1;
     }
   }
   const auto wanted = [&](const Task& task)
@@ -100,9 +104,22 @@ std::vector<Job> MakeJobs(const SessionOptions& options, const std::vector<Stage
   jobs.erase(
     std::remove_if(jobs.begin(), jobs.end(), [&](const Job& job) { return !wanted(job.What); }),
     jobs.end());
-  std::stable_sort(
-    jobs.begin(), jobs.end(), [](const Job& a, const Job& b) { return a.What.Turn < b.What.Turn; });
-  return jobs;
+  // Scenes and quantities take turns, so that no time is too short for some of each.
+  std::map<std::tuple<int, std::string, std::string>, int> counts;
+  std::vector<std::pair<std::pair<int, int>, std::size_t>> order;
+  for (std::size_t j = 0; j < jobs.size(); ++j)
+  {
+    const Task& task = jobs[j].What;
+    order.push_back({ { task.Turn, counts[{ task.Turn, task.Quantity, task.Scene }]++ }, j });
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<Job> sorted;
+  sorted.reserve(jobs.size());
+  for (const auto& place : order)
+  {
+    sorted.push_back(std::move(jobs[place.second]));
+  }
+  return sorted;
 }
 
 } // namespace

@@ -155,6 +155,7 @@ const Truth& Stage::SunHorizons()
       }
     }
     std::vector<double> azimuths;
+    azimuths.reserve(Suns.size());
     for (const SunAt& sun : Suns)
     {
       azimuths.push_back(sun.Azimuth);
