@@ -134,7 +134,7 @@ class Perspective(ToolTest):
             self.skipTest("xvfb-run is not installed")
         dem = make(self.path("dem.tif"), hills(40, 40))
         without = self.draw(dem)
-        xvfb = ["xvfb-run", "-a", "-s", "-screen 0 640x480x24"]
+        xvfb = ["xvfb-run", "-a", "-s", "-screen 0 640x480x24 -noreset"]
         done = Program.subprocess.run(
             [*xvfb, Program.PROGRAM, "shade", dem, "-o", self.path("x.png"), "--view",
              "perspective", "--size", "%dx%d" % SIZE[::-1], "--azimuths", "8"],
