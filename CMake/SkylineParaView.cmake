@@ -8,6 +8,10 @@ if (NOT ParaView_FOUND)
     "'${ParaView_DIR}' (${ParaView_NOT_FOUND_MESSAGE}). Utilities/install-paraview FOLDER fetches "
     "that of Debian 12; ./bootstrap paraview does it all.")
 endif ()
+if (ParaView_VERSION VERSION_GREATER_EQUAL 5.12)
+  message(FATAL_ERROR "SKYLINE_PARAVIEW: ParaView ${ParaView_VERSION} draws surfaces by another "
+    "mapper than 5.11, which the plugin is written for; give ParaView_DIR of a ParaView 5.11.")
+endif ()
 # In ParaView's own VTK alone: a system's VTK beside it would be mixed in.
 set(VTK_DIR "${ParaView_DIR}/vtk" CACHE PATH "ParaView's VTK" FORCE)
 set(skyline_paraview_module_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugins/ParaView/vtk.module")
