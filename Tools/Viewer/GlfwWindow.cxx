@@ -138,10 +138,7 @@ void OnButton(GLFWwindow* window, int button, int action, int bits)
   {
     return;
   }
-  double x = 0.0;
-  double y = 0.0;
-  glfwGetCursorPos(window, &x, &y);
-  OnMove(window, x, y); // a press may come without a move before it
+  // Where the moves so far have led: the cursor may be further on, if a picture took long.
   ViewerOf(window)->MousePress(button == GLFW_MOUSE_BUTTON_LEFT ? skyline::MouseButton::Left
       : button == GLFW_MOUSE_BUTTON_RIGHT                       ? skyline::MouseButton::Right
                                                                 : skyline::MouseButton::Middle,
@@ -285,6 +282,10 @@ void GlfwWindow::Connect(Viewer& viewer)
     this->Handle, [](GLFWwindow* window) { ViewerOf(window)->Expose(); });
   glfwSetWindowTitle(this->Handle, viewer.GetTitle().c_str());
   TellSize(this->Handle);
+  double x = 0.0;
+  double y = 0.0;
+  glfwGetCursorPos(this->Handle, &x, &y);
+  OnMove(this->Handle, x, y); // a press may come before any move
 }
 
 void GlfwWindow::Disconnect()
