@@ -265,31 +265,44 @@ void HorizonScene::FindRows(
 void HorizonScene::FindColumns(
   const HorizonMethod& method, const RowBand& band, Accumulator& consumer) const
 {
+  // Lines are columns here, and consumers take runs along rows. Tiles keep these long: every run
+  // lies in other pages of memory than the one before. Their slopes stay in the cache.
+  constexpr std::ptrdiff_t TileLines = 4 * ChunkLines;
+  constexpr std::ptrdiff_t TileRows = 256;
   const RayFrame& frame = method.Frame();
-  const std::ptrdiff_t rows = band.RowEnd - band.RowBegin;
-  const std::ptrdiff_t stride = SlopeStride(rows);
+  const std::ptrdiff_t across = (frame.Lines + TileLines - 1) / TileLines;
+  const std::ptrdiff_t along = (band.RowEnd - band.RowBegin + TileRows - 1) / TileRows;
+  const std::ptrdiff_t stride = SlopeStride(TileRows);
   vtkSMPThreadLocal<std::vector<float>> buffers;
-  vtkSMPTools::For(0, (frame.Lines + ChunkLines - 1) / ChunkLines, 1,
+  vtkSMPTools::For(0, across * along, 1,
     [&](vtkIdType first, vtkIdType last)
     {
       std::vector<float>& slopes = buffers.Local();
-      slopes.resize(static_cast<std::size_t>(ChunkLines * stride));
-      float run[ChunkLines];
-      for (std::ptrdiff_t chunk = first; chunk < last; ++chunk)
+      slopes.resize(static_cast<std::size_t>(TileLines * stride));
+      float run[TileLines];
+      for (std::ptrdiff_t tile = first; tile < last; ++tile)
       {
-        const std::ptrdiff_t from = chunk * ChunkLines;
-        const std::ptrdiff_t count = std::min(ChunkLines, frame.Lines - from);
-        method.Find(from, from + count, band.RowBegin, band.RowEnd, slopes.data(), stride);
-        // Lines are columns here; consumers take runs along rows.
-        const std::ptrdiff_t column = frame.Reversed ? frame.ImageLine(from + count - 1) : from;
-        for (std::ptrdiff_t row = 0; row < rows; ++row)
+        const std::ptrdiff_t from = tile / along * TileLines;
+        const std::ptrdiff_t count = std::min(TileLines, frame.Lines - from);
+        const std::ptrdiff_t rowBegin = band.RowBegin + tile % along * TileRows;
+        const std::ptrdiff_t rowEnd = std::min(rowBegin + TileRows, band.RowEnd);
+        for (std::ptrdiff_t line = 0; line < count; line += ChunkLines)
         {
+          const std::ptrdiff_t end = std::min(line + ChunkLines, count);
+          method.Find(
+            from + line, from + end, rowBegin, rowEnd, slopes.data() + line * stride, stride);
+        }
+        const std::ptrdiff_t column = frame.Reversed ? frame.ImageLine(from + count - 1) : from;
+        const std::ptrdiff_t next = frame.Reversed ? -stride : stride;
+        for (std::ptrdiff_t row = rowBegin; row < rowEnd; ++row)
+        {
+          const float* slope =
+            slopes.data() + (frame.Reversed ? (count - 1) * stride : 0) + (row - rowBegin);
           for (std::ptrdiff_t i = 0; i < count; ++i)
           {
-            const std::ptrdiff_t line = frame.Reversed ? count - 1 - i : i;
-            run[i] = slopes[static_cast<std::size_t>(line * stride + row)];
+            run[i] = slope[i * next];
           }
-          consumer.Add(band.RowBegin + row, column, count, run);
+          consumer.Add(row, column, count, run);
         }
       }
     });

@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hwy/cache_control.h"
 #include "hwy/highway.h"
 
 #ifndef skyline_SkyAccumulator_run
@@ -237,35 +236,6 @@ namespace skyline
 
 HWY_EXPORT(AddRun);
 
-namespace
-{
-
-// Where lines are columns of the image, runs are short and come row upon row: nothing in the
-// processor guesses that the next one lies a row further on. Measured: 3 to 5 ns a post.
-constexpr std::ptrdiff_t LongestBlockRun = 64;
-constexpr std::ptrdiff_t RowsAhead = 4;
-constexpr std::ptrdiff_t CacheLine = 16; // floats
-
-/// Asks for what the run `step` posts further on will read; past the end that does no harm.
-void FetchAhead(const SkyRun& run, std::ptrdiff_t count, std::ptrdiff_t step)
-{
-  const auto fetch = [&](const float* values)
-  {
-    for (std::ptrdiff_t i = 0; values && i < count; i += CacheLine)
-    {
-      hwy::Prefetch(values + step + i);
-    }
-  };
-  fetch(run.East);
-  fetch(run.North);
-  for (const float* sums : run.Sums)
-  {
-    fetch(sums);
-  }
-}
-
-} // namespace
-
 SkyAccumulator::SkyAccumulator(
   std::ptrdiff_t columns, const SkyBuffers& buffers, const float* east, const float* north)
   : Columns(columns)
@@ -309,10 +279,6 @@ void SkyAccumulator::Add(
   run.Sums[Visible] = at(this->Buffers.VisibleSkyFraction.Values);
   run.Sums[Openness] = at(this->Buffers.PositiveOpenness.Values);
   run.Sums[Ambient] = at(this->Buffers.UniformAmbient.Values);
-  if (count <= LongestBlockRun)
-  {
-    FetchAhead(run, count, this->Columns * RowsAhead);
-  }
   HWY_DYNAMIC_DISPATCH(AddRun)(this->Azimuth(), run, count);
 }
 
