@@ -190,7 +190,7 @@ Result MeasureSaga(Stage& stage)
         "-ELEVATION=" + folder.File("heights.sgrd"), "-SHADE=" + folder.File("shade.sgrd"),
         "-METHOD=2", "-AZIMUTH=" + std::to_string(sun.Azimuth),
         "-DECLINATION=" + std::to_string(sun.Elevation) });
-      constexpr float dark = 1.5707f; // a right angle stands for shadow
+      constexpr float dark = 0.4999f * static_cast<float>(Pi); // a right angle stands for shadow
       return [shade = ReadSagaGrid(field, folder.File("shade"))](std::size_t post)
       { return shade[post] < dark; };
     });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldAlgorithm.h"
 
+#include "Constants.h"
 #include "HorizonScene.h"
 #include "WholeField.h"
 #include "vtkDataArray.h"
@@ -13,7 +14,8 @@
 #include <exception>
 
 vtkHeightFieldAlgorithm::vtkHeightFieldAlgorithm()
-  : Kept(std::make_unique<skyline::KeptPyramid>())
+  : RefractionCoefficient(skyline::TerrestrialRefraction)
+  , Kept(std::make_unique<skyline::KeptPyramid>())
 {
 }
 

@@ -126,7 +126,7 @@ protected:
   int Method = EXACT;
   int Surface = TRIANGLES;
   bool Flat = false;
-  double RefractionCoefficient = 0.13;
+  double RefractionCoefficient;
   double Tolerance = 0.0;
   double LevelStep = 4.0;
   double LevelOffset = 2.0;

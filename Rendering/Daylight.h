@@ -4,6 +4,7 @@
 #define skyline_Daylight_h
 
 #include "AirMass.h"
+#include "Constants.h"
 #include "ToneMap.h"
 
 #include <array>
@@ -27,7 +28,7 @@ struct Daylight
 /// luminance and keeps a quarter of the cast. Without air the sun is white and the sky grey.
 inline Daylight ClearDaylight(double elevation, bool air = true)
 {
-  const double height = std::sin(std::clamp(elevation, 0.0, 90.0) * 0.017453292519943295);
+  const double height = std::sin(std::clamp(elevation, 0.0, 90.0) * RadiansPerDegree);
   const bool up = elevation > -0.9; // below that not even the upper limb rises over level ground
   const std::array<double, 3> wavelength{ { 0.61, 0.55, 0.465 } };
   const Rgb blue{ { 0.82f, 1.0f, 1.30f } };
@@ -40,13 +41,14 @@ inline Daylight ClearDaylight(double elevation, bool air = true)
     const double sun = !up ? 0.0 : air ? std::exp(-depth * AirMass(elevation)) : 0.8;
     const double sky = (0.005 + 0.13 * std::sqrt(height)) * (air ? blue[c] : 1.0f);
     light.SunIrradiance[c] = static_cast<float>(sun);
-    light.SkyRadiance[c] = static_cast<float>(sky / 3.14159265358979);
+    light.SkyRadiance[c] = static_cast<float>(sky / Pi);
     ground[c] = static_cast<float>(sun * height + sky);
   }
   const float luminance = Luminance(ground);
   for (std::size_t c = 0; c < 3; ++c)
   {
-    const float balance = std::pow(ground[c] / luminance, 0.75f) * luminance / 3.14159265f;
+    const float balance =
+      std::pow(ground[c] / luminance, 0.75f) * luminance / static_cast<float>(Pi);
     light.SunIrradiance[c] /= balance;
     light.SkyRadiance[c] /= balance;
   }

@@ -1,10 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShaderText.h"
 
+#include "Constants.h"
+
+#include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace skyline
 {
+
+namespace
+{
+
+/// Numbers that C++ and GLSL share, as GLSL; of a line that is no place for them, the line.
+std::string Filled(const std::string& line)
+{
+  std::ostringstream text;
+  text << std::scientific << std::setprecision(std::numeric_limits<float>::max_digits10);
+  if (line == "//Fill::Pi")
+  {
+    text << "const float SkylinePi = " << Pi << ";";
+  }
+  else if (line == "//Fill::AngleTerms")
+  {
+    text << "const float AngleTerms[8] = float[8](";
+    for (const float& term : AngleTerms)
+    {
+      text << (&term == AngleTerms ? "" : ", ") << term;
+    }
+    text << ");";
+  }
+  else
+  {
+    text << line;
+  }
+  return text.str();
+}
+
+} // namespace
 
 std::string ShaderPart(const char* file, const std::string& part)
 {
@@ -24,7 +58,7 @@ std::string ShaderPart(const char* file, const std::string& part)
       line.compare(first, 8, "//Fill::") != 0;
     if (current == part && !comment)
     {
-      text += line + "\n";
+      text += Filled(line) + "\n";
     }
   }
   return text;

@@ -34,7 +34,8 @@ namespace skyline
 
 /// One part of a file: the lines after `//Skyline::Part` up to the next line that begins so, or,
 /// with an empty name, those before the first. Places that C++ fills are `//Fill::Name`. All other
-/// comment lines stay behind: a search in a shader's text finds code.
+/// comment lines stay behind: a search in a shader's text finds code. `//Fill::Pi` and
+/// `//Fill::AngleTerms` are filled here, with the numbers of Constants.h.
 std::string ShaderPart(const char* file, const std::string& part = std::string());
 
 } // namespace skyline

@@ -3,6 +3,7 @@
 #ifndef skyline_Options_h
 #define skyline_Options_h
 
+#include "Constants.h"
 #include "Passes.h"
 
 #include <CLI/CLI.hpp>
@@ -35,7 +36,7 @@ struct HorizonOptions
   std::string Method = "exact";
   std::string Surface = "triangles";
   bool Flat = false;
-  double Refraction = 0.13;
+  double Refraction = TerrestrialRefraction;
   double Tolerance = 0.0;
   void AddTo(CLI::App& command, bool azimuths = true, const char* method = "--method");
 

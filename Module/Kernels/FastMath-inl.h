@@ -25,14 +25,14 @@ template <class D, class V = hn::Vec<D>>
 HWY_INLINE V AtanUnit(D d, V z)
 {
   const V q = hn::Mul(z, z);
-  V p = hn::Set(d, 2.622244414e-03f);
-  p = hn::MulAdd(p, q, hn::Set(d, -1.513253618e-02f));
-  p = hn::MulAdd(p, q, hn::Set(d, 4.112185910e-02f));
-  p = hn::MulAdd(p, q, hn::Set(d, -7.366705686e-02f));
-  p = hn::MulAdd(p, q, hn::Set(d, 1.057393178e-01f));
-  p = hn::MulAdd(p, q, hn::Set(d, -1.418597549e-01f));
-  p = hn::MulAdd(p, q, hn::Set(d, 1.999039650e-01f));
-  p = hn::MulAdd(p, q, hn::Set(d, -3.333298564e-01f));
+  V p = hn::Set(d, AngleTerms[0]);
+  p = hn::MulAdd(p, q, hn::Set(d, AngleTerms[1]));
+  p = hn::MulAdd(p, q, hn::Set(d, AngleTerms[2]));
+  p = hn::MulAdd(p, q, hn::Set(d, AngleTerms[3]));
+  p = hn::MulAdd(p, q, hn::Set(d, AngleTerms[4]));
+  p = hn::MulAdd(p, q, hn::Set(d, AngleTerms[5]));
+  p = hn::MulAdd(p, q, hn::Set(d, AngleTerms[6]));
+  p = hn::MulAdd(p, q, hn::Set(d, AngleTerms[7]));
   return hn::MulAdd(hn::Mul(z, q), p, z);
 }
 

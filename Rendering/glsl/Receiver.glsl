@@ -2,6 +2,7 @@
 // Sun and sky on whatever stands or flies over a height field, by the shadow heights of its posts:
 // twin of vtkShadowReceiver (ShadowHeightPenumbra.h). The sky is nine functions of the normal, as if
 // nothing hid it. SKYLINE_NORMAL: 0 of the faces, 1 of the points, 2 none, as if turned to the sun.
+//Fill::Pi
 uniform sampler2D skylineShadow; // of the upper and the lower limb, metres above the base
 uniform vec2 skylinePosts;       // columns and rows
 uniform vec4 skylineDisc;        // elevation, 1 / radius, tangents of the upper and the lower limb
@@ -67,7 +68,7 @@ float SkylineLit(vec2 post, float z)
   float between = (z - shadows.x) / (shadows.y - shadows.x);
   float edge = atan(mix(skylineDisc.z, skylineDisc.w, between));
   float t = clamp((edge - skylineDisc.x) * skylineDisc.y, -1.0, 1.0);
-  return (acos(t) - t * sqrt((1.0 - t) * (1.0 + t))) / 3.14159265;
+  return (acos(t) - t * sqrt((1.0 - t) * (1.0 + t))) / SkylinePi;
 }
 
 vec3 SkylineIrradiance(vec2 post)

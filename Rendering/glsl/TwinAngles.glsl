@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Angles and their sines to the rounding of floats, whatever the driver's own functions do.
-const float RightAngle = 1.57079632679;
+//Fill::Pi
+//Fill::AngleTerms
+const float RightAngle = 0.5 * SkylinePi;
 
-// atan t, by the polynomial of FastMath-inl.h.
+// atan t, by the polynomial of AngleTerms, as FastMath-inl.h.
 vec4 AngleOf(vec4 t)
 {
   vec4 size = abs(t);
   vec4 z = min(size, 1.0) / max(size, 1.0);
   vec4 q = z * z;
-  vec4 p = vec4(2.622244414e-03);
-  p = p * q - 1.513253618e-02;
-  p = p * q + 4.112185910e-02;
-  p = p * q - 7.366705686e-02;
-  p = p * q + 1.057393178e-01;
-  p = p * q - 1.418597549e-01;
-  p = p * q + 1.999039650e-01;
-  p = p * q - 3.333298564e-01;
+  vec4 p = vec4(AngleTerms[0]);
+  for (int k = 1; k < 8; ++k)
+  {
+    p = p * q + AngleTerms[k];
+  }
   vec4 low = z + z * q * p;
   return mix(low, RightAngle - low, greaterThan(size, vec4(1.0))) * sign(t);
 }
