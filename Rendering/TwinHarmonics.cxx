@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TwinHarmonics.h"
 
-#include "ElevationIntegral.h"
 #include "HorizonScene.h"
-#include "ShaderText.h"
 #include "SphericalHarmonics.h"
-#include "VisibilityAccumulator.h"
+#include "TwinWedgeText.h"
+#include "TwinWedgeWeights.h"
 
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 namespace skyline
@@ -22,58 +18,13 @@ namespace skyline
 namespace
 {
 
-constexpr int PerImage = 4;
-constexpr int ImagesPerPass = 8; // OpenGL 3.2 has as many outputs
+constexpr int PerImage = CoefficientsPerImage;
 constexpr int PerPass = PerImage * ImagesPerPass;
 
 double Now()
 {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   return std::chrono::duration<double>(now).count();
-}
-
-std::string Number(double value)
-{
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.9e", value);
-  return text.data();
-}
-
-/// The integral in all four azimuths, from s, c, q = s s, sc = s c and the angle h.
-std::string IntegralText(const ElevationIntegral& integral)
-{
-  std::string p = Number(integral.Polynomial[static_cast<std::size_t>(integral.Terms - 1)]);
-  for (int k = integral.Terms - 2; k >= 0; --k)
-  {
-    p.insert(0, "(");
-    p.append(" * q + ")
-      .append(Number(integral.Polynomial[static_cast<std::size_t>(k)]))
-      .append(")");
-  }
-  switch (integral.Kind)
-  {
-    case ElevationKind::Sine:
-      return "s * " + p;
-    case ElevationKind::Square:
-      return "q * " + p;
-    case ElevationKind::SineCosine:
-      return Number(integral.Constant) + " * h + sc * " + p;
-    case ElevationKind::Cosine:
-      break;
-  }
-  // Level ground loses exactly nothing.
-  return Number(-integral.Polynomial[0]) + " + c * " + p;
-}
-
-void Replace(std::string& text, const std::string& what, const std::string& with)
-{
-  const std::size_t at = text.find(what);
-  text.replace(at, what.size(), with);
-}
-
-std::string Index(int i)
-{
-  return std::to_string(i);
 }
 
 void Check(bool built)
@@ -91,66 +42,6 @@ TwinTexture Checked(TwinTexture texture)
     throw std::runtime_error("OpenGL has no memory for harmonics");
   }
   return texture;
-}
-
-/// The texels of TwinWedges.glsl for up to four azimuths; one that is not there weighs nothing.
-std::vector<float> WeightTexels(int bands, const std::vector<double>& azimuths, double width)
-{
-  std::vector<float> texels(static_cast<std::size_t>(4 * (2 + 6 * bands)), 0.0f);
-  for (std::size_t k = 0; k < azimuths.size(); ++k)
-  {
-    const double azimuth = azimuths[k] * RadiansPerDegree;
-    texels[k] = static_cast<float>(std::sin(azimuth));
-    texels[4 + k] = static_cast<float>(std::cos(azimuth));
-    const WedgeWeights<double> weights = WeightsOfSwath(bands, azimuth, width);
-    for (int m = 0; m < bands; ++m)
-    {
-      const double of[6] = { weights.Cosine[m], weights.Sine[m], weights.CosineEast[m],
-        weights.SineEast[m], weights.CosineNorth[m], weights.SineNorth[m] };
-      for (int j = 0; j < 6; ++j)
-      {
-        texels[static_cast<std::size_t>(4 * (2 + 6 * m + j)) + k] = static_cast<float>(of[j]);
-      }
-    }
-  }
-  return texels;
-}
-
-/// What is there without any horizon, for the parts of the normal up, east and north.
-std::array<std::vector<double>, 3> Wholes(
-  int bands, const std::vector<double>& azimuths, double width, bool transfer)
-{
-  const auto count = static_cast<std::size_t>(HarmonicCount(bands));
-  std::array<std::vector<double>, 3> wholes;
-  wholes.fill(std::vector<double>(count, 0.0));
-  const auto visible = ElevationIntegrals(bands, ElevationWeight::One);
-  const auto upward = ElevationIntegrals(bands, ElevationWeight::Upward);
-  const auto forward = ElevationIntegrals(bands, ElevationWeight::Forward);
-  for (const double degrees : azimuths)
-  {
-    const WedgeWeights<double> weights = WeightsOfSwath(bands, degrees * RadiansPerDegree, width);
-    std::size_t index = 0;
-    for (int m = 0; m < bands; ++m)
-    {
-      for (int l = m; l < bands; ++l, ++index)
-      {
-        const auto plus = static_cast<std::size_t>(HarmonicIndex(l, m));
-        const auto minus = static_cast<std::size_t>(HarmonicIndex(l, -m));
-        const double up = (transfer ? upward : visible)[index].Whole;
-        const double ahead = transfer ? forward[index].Whole : 0.0;
-        wholes[0][plus] += up * weights.Cosine[m];
-        wholes[1][plus] -= ahead * weights.CosineEast[m];
-        wholes[2][plus] -= ahead * weights.CosineNorth[m];
-        if (m > 0)
-        {
-          wholes[0][minus] += up * weights.Sine[m];
-          wholes[1][minus] -= ahead * weights.SineEast[m];
-          wholes[2][minus] -= ahead * weights.SineNorth[m];
-        }
-      }
-    }
-  }
-  return wholes;
 }
 
 } // namespace
@@ -345,8 +236,8 @@ void TwinHarmonics::Prepare(const Task& task, const TwinArea& tile)
     this->Wedges.clear();
     for (int begin = 0; begin < count; begin += PerPass)
     {
-      this->Wedges.push_back(std::make_unique<TwinPass>(this->Device,
-        this->WedgeText(task.Bands, transfer, begin, std::min(begin + PerPass, count))));
+      this->Wedges.push_back(std::make_unique<TwinPass>(
+        this->Device, WedgeText(task.Bands, transfer, begin, std::min(begin + PerPass, count))));
     }
   }
   if (changed || tile.Width != this->Width || tile.Height != this->Height)
@@ -391,7 +282,7 @@ bool TwinHarmonics::SumTile(
     this->Prepare(task, tile);
   }
   const std::vector<double>& azimuths = *task.Azimuths;
-  const auto wholes = Wholes(task.Bands, azimuths, task.Width, this->Transfer);
+  const auto wholes = WholeSums(task.Bands, azimuths, task.Width, this->Transfer);
   const std::size_t count = azimuths.size();
   for (std::size_t first = 0; first < count; first += TwinHorizons::Group)
   {
@@ -406,7 +297,7 @@ bool TwinHarmonics::SumTile(
       azimuths.begin() + static_cast<std::ptrdiff_t>(last));
     this->FindRows(scene, tile, group, this->Angles);
     const Lap lap(*this, this->Times.Wedges);
-    const std::vector<float> texels = WeightTexels(task.Bands, group, task.Width);
+    const std::vector<float> texels = WedgeTexels(task.Bands, group, task.Width);
     const TwinTexture weights =
       Checked(this->Device.Image(static_cast<int>(texels.size() / 4), 1, 4, texels.data()));
     for (std::size_t pass = 0; pass < this->Wedges.size(); ++pass)
@@ -471,91 +362,14 @@ void TwinHarmonics::ReadImage(vtkTextureObject* image, float* texels)
   this->Device.Read(image, { 0, 0, this->Width, this->Height }, texels);
 }
 
-std::string TwinHarmonics::WedgeText(int bands, bool transfer, int begin, int end)
-{
-  std::string sums;
-  const int images = (end - begin + PerImage - 1) / PerImage;
-  for (int i = 0; i < images; ++i)
-  {
-    sums += "  vec4 lost" + Index(i) + " = vec4(0.0);\n";
-  }
-  sums += "  vec4 up0, ahead0, along, alongMinus;\n";
-  const auto add = [&](int coefficient, const std::string& value)
-  {
-    if (coefficient >= begin && coefficient < end)
-    {
-      const int i = coefficient - begin;
-      sums += "  lost" + Index(i / PerImage) + "[" + Index(i % PerImage) + "] += " + value + ";\n";
-    }
-  };
-  const auto visible = ElevationIntegrals(bands, ElevationWeight::One);
-  const auto upward = ElevationIntegrals(bands, ElevationWeight::Upward);
-  const auto forward = ElevationIntegrals(bands, ElevationWeight::Forward);
-  std::size_t index = 0;
-  for (int m = 0; m < bands; ++m)
-  {
-    const auto weight = [m](int which) { return "Weight(" + Index(m) + ", " + Index(which) + ")"; };
-    if (transfer)
-    {
-      sums += "  along = gradient.x * " + weight(2) + " + gradient.y * " + weight(4) + ";\n";
-      sums += "  alongMinus = gradient.x * " + weight(3) + " + gradient.y * " + weight(5) + ";\n";
-    }
-    for (int l = m; l < bands; ++l, ++index)
-    {
-      const int plus = HarmonicIndex(l, m);
-      const int minus = HarmonicIndex(l, -m);
-      if ((plus < begin || plus >= end) && (minus < begin || minus >= end))
-      {
-        continue;
-      }
-      sums += "  up0 = " + IntegralText((transfer ? upward : visible)[index]) + ";\n";
-      if (transfer)
-      {
-        sums += "  ahead0 = " + IntegralText(forward[index]) + ";\n";
-      }
-      add(plus, "dot(" + weight(0) + ", up0)" + (transfer ? " - dot(along, ahead0)" : ""));
-      if (m > 0)
-      {
-        add(minus, "dot(" + weight(1) + ", up0)" + (transfer ? " - dot(alongMinus, ahead0)" : ""));
-      }
-    }
-  }
-  for (int i = 0; i < images; ++i)
-  {
-    const std::string wholes = "wholes[" + Index(i) + "] + gradient.x * wholes[" +
-      Index(ImagesPerPass + i) + "] + gradient.y * wholes[" + Index(2 * ImagesPerPass + i) + "]";
-    sums +=
-      "  gl_FragData[" + Index(i) + "] = up * (whole * (" + wholes + ") - lost" + Index(i) + ");\n";
-  }
-  std::string text = ShaderPart(skyline_TwinWedges, "Sum");
-  Replace(text, "  //Fill::Plane\n", transfer ? ShaderPart(skyline_TwinWedges, "Plane") : "");
-  Replace(text, "  //Fill::Integrals\n", sums);
-  return TwinText({ ShaderPart(skyline_TwinAngles), ShaderPart(skyline_TwinWedges),
-    transfer ? ShaderPart(skyline_TwinWedges, "Transfer") : "", text });
-}
-
 TwinTexture TwinHarmonics::Light(const std::vector<double>& coefficients)
 {
   const TwinState state(this->Device);
   const Lap lap(*this, this->Times.Light);
   if (!this->Lighting || this->LitImages != this->Sums.size())
   {
-    std::string text = ShaderPart(skyline_TwinLight);
-    std::string images, sum;
-    for (int i = 0; i < static_cast<int>(this->Sums.size()); ++i)
-    {
-      images += "uniform sampler2D image" + Index(i) + ";\n";
-      sum += "  vec4 t" + Index(i) + " = texelFetch(image" + Index(i) + ", at, 0);\n  sum += vec3(";
-      for (int c = 0; c < 3; ++c)
-      {
-        sum += (c > 0 ? ", " : "") + std::string("dot(t") + Index(i) + ", light[" +
-          Index(3 * i + c) + "])";
-      }
-      sum += ");\n";
-    }
-    Replace(text, "//Fill::Images\n", images);
-    Replace(text, "  //Fill::Sum\n", sum);
-    this->Lighting = std::make_unique<TwinPass>(this->Device, TwinText({ text }));
+    this->Lighting =
+      std::make_unique<TwinPass>(this->Device, LightText(static_cast<int>(this->Sums.size())));
     this->LitImages = this->Sums.size();
   }
   if (!this->Lit)
@@ -575,7 +389,7 @@ TwinTexture TwinHarmonics::Light(const std::vector<double>& coefficients)
   Check(this->Lighting->Use());
   for (std::size_t i = 0; i < this->Sums.size(); ++i)
   {
-    this->Lighting->Set(("image" + Index(static_cast<int>(i))).c_str(), this->Sums[i].GetPointer());
+    this->Lighting->Set(("image" + std::to_string(i)).c_str(), this->Sums[i].GetPointer());
   }
   this->Lighting->Set("light", light);
   this->Lighting->Draw({ this->Lit }, { 0, 0, this->Width, this->Height });

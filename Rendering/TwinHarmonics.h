@@ -71,7 +71,6 @@ private:
     vtkTextureObject* angles);
   void Prepare(const Task& task, const TwinArea& tile);
   void ReadTile(HorizonScene& scene, const Task& task, const TwinArea& tile);
-  static std::string WedgeText(int bands, bool transfer, int begin, int end);
 
   TwinDevice& Device;
   TwinLimits Limits;

@@ -76,8 +76,8 @@ bool vtkOpenGLHeightFieldHorizon::Sweep(
   }
   skyline::TwinHorizonSweep method(
     *passes, this->Sweeps->Failure(this), scene.PreparedField(), scene.UsedSettings());
-  skyline::StoreAccumulator store(scene.Posts().Columns, scene.Posts().Rows, values,
-    static_cast<std::ptrdiff_t>(azimuths.size()));
+  skyline::StoreAccumulator store(
+    scene.Posts().Columns, values, static_cast<std::ptrdiff_t>(azimuths.size()));
   const bool finished = scene.Run(method, azimuths, 0.0, store);
   this->Twin->OnDevice = this->Sweeps->OnDevice;
   return finished;

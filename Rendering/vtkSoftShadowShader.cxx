@@ -2,15 +2,13 @@
 #include "vtkSoftShadowShader.h"
 
 #include "Constants.h"
-#include "HarmonicProduct.h"
-#include "Normals.h"
 #include "PostTexture.h"
+#include "PostValues.h"
 #include "ReceiverLight.h"
 #include "ShaderText.h"
-#include "SphericalHarmonics.h"
-#include "ToneMap.h"
+#include "SoftShadowText.h"
+#include "SurfaceLight.h"
 #include "VertexRow.h"
-#include "vtkSkylineGeoreference.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
@@ -35,153 +33,7 @@ vtkStandardNewMacro(vtkSoftShadowShader);
 namespace
 {
 
-constexpr int Bands = skyline::DefaultHarmonicBands;
-constexpr std::size_t Count = skyline::HarmonicCount(Bands);
 constexpr std::size_t Lamps = 4;
-
-// Functions of the bands 0 to 2, the ones a clamped cosine has below band 4.
-constexpr std::size_t Cosines = 9;
-
-using Color = std::array<double, 3>;
-using Coefficients = std::array<Color, Count>;
-
-// The factor of each shape in Visibility.glsl: the norm of its harmonic and the cosine's part.
-std::array<double, Cosines> CosineFactors()
-{
-  const double linear = std::sqrt(3.0 / (4.0 * skyline::Pi));
-  const double square = std::sqrt(15.0 / (4.0 * skyline::Pi));
-  const double zonal = std::sqrt(5.0 / (16.0 * skyline::Pi));
-  std::array<double, Cosines> factors{ { std::sqrt(1.0 / (4.0 * skyline::Pi)), linear, linear,
-    linear, square, square, zonal, square, 0.5 * square } };
-  for (std::size_t j = 0; j < Cosines; ++j)
-  {
-    const int l = j == 0 ? 0 : j < 4 ? 1 : 2;
-    factors[j] *= std::sqrt(4.0 * skyline::Pi / (2.0 * l + 1.0)) * skyline::ClampedCosineZonal(l);
-  }
-  return factors;
-}
-
-// For Transfer.glsl: the coefficients of red, of green, of blue.
-std::vector<float> PackTransferLight(const Coefficients& light)
-{
-  std::vector<float> packed;
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    for (const Color& coefficient : light)
-    {
-      packed.push_back(static_cast<float>(coefficient[c]));
-    }
-  }
-  return packed;
-}
-
-// For Visibility.glsl: the product of the light with each function of the cosine.
-std::vector<float> PackVisibilityLight(const Coefficients& light)
-{
-  const skyline::HarmonicProduct& harmonics = skyline::HarmonicProduct::ForBands(Bands);
-  const std::array<double, Cosines> factors = CosineFactors();
-  std::vector<float> packed;
-  for (std::size_t j = 0; j < Cosines; ++j)
-  {
-    std::array<double, Count> function{};
-    function[j] = factors[j];
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      std::array<double, Count> channel{};
-      std::transform(light.begin(), light.end(), channel.begin(),
-        [c](const Color& coefficient) { return coefficient[c]; });
-      std::array<double, Count> product{};
-      harmonics.Product(function.data(), channel.data(), product.data());
-      packed.insert(packed.end(), product.begin(), product.end());
-    }
-  }
-  return packed;
-}
-
-// Components [first, first + count) of all posts, missing posts filled.
-std::vector<float> Gather(vtkDataArray* array, int first, int count, int columns, int rows)
-{
-  const vtkIdType posts = array->GetNumberOfTuples();
-  std::vector<float> values(static_cast<std::size_t>(posts * count));
-  auto to = values.begin();
-  for (vtkIdType post = 0; post < posts; ++post)
-  {
-    for (int c = first; c < first + count; ++c)
-    {
-      *to++ = static_cast<float>(array->GetComponent(post, c));
-    }
-  }
-  skyline::FillMissing(values, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows),
-    static_cast<std::size_t>(count));
-  return values;
-}
-
-// dz/dx and dz/dy of all posts, as the filters have them.
-std::vector<float> GatherGradients(vtkImageData* image, vtkDataArray* heights)
-{
-  const int* size = image->GetDimensions();
-  const skyline::Grid grid{ size[0], size[1], image->GetSpacing()[0], image->GetSpacing()[1] };
-  const skyline::Georeference place = skyline::LoadGeoreference(image);
-  const auto rows = static_cast<std::size_t>(size[1]);
-  const bool own = place.RowSpacingX.size() == rows && place.RowSpacingY.size() == rows;
-  const auto posts = static_cast<std::size_t>(image->GetNumberOfPoints());
-  std::vector<float> east(posts);
-  std::vector<float> north(posts);
-  skyline::Gradients(
-    grid,
-    [&](std::ptrdiff_t column, std::ptrdiff_t row)
-    { return heights->GetComponent(row * grid.Columns + column, 0); },
-    0, grid.Rows, east.data(), north.data(), own ? place.RowSpacingX.data() : nullptr,
-    own ? place.RowSpacingY.data() : nullptr);
-  std::vector<float> both(2 * posts);
-  for (std::size_t post = 0; post < posts; ++post)
-  {
-    both[2 * post] = east[post];
-    both[2 * post + 1] = north[post];
-  }
-  skyline::FillMissing(both, static_cast<std::size_t>(size[0]), rows, 2);
-  return both;
-}
-
-// For Receiver.glsl: what the whole sky gives, for each function of the normal.
-std::array<Color, Cosines> OpenSky(const Coefficients& light)
-{
-  const std::array<double, Cosines> factors = CosineFactors();
-  std::array<Color, Cosines> sky{};
-  for (std::size_t j = 0; j < Cosines; ++j)
-  {
-    std::transform(light[j].begin(), light[j].end(), sky[j].begin(),
-      [&](double coefficient) { return factors[j] * coefficient; });
-  }
-  return sky;
-}
-
-std::string Define(const char* name, const std::string& value)
-{
-  return std::string("#define ") + name + " " + value + "\n";
-}
-
-std::string Define(const char* name, float value)
-{
-  std::ostringstream text;
-  text.precision(9);
-  text << std::showpoint << value;
-  return Define(name, text.str());
-}
-
-std::string ToneDefines()
-{
-  return Define("SKYLINE_TONE_GREY", skyline::ToneGrey) +
-    Define("SKYLINE_TONE_CONTRAST", skyline::ToneContrast) +
-    Define("SKYLINE_TONE_KNEE", skyline::ToneKnee) +
-    Define("SKYLINE_TONE_WHITE", skyline::ToneWhite);
-}
-
-// Puts text behind a marker of VTK's, which stays for VTK.
-void AddAfter(vtkShader* shader, const std::string& marker, const std::string& text)
-{
-  vtkShaderProgram::Substitute(shader, marker, marker + "\n" + text);
-}
 
 } // namespace
 
@@ -191,8 +43,8 @@ struct vtkSoftShadowShader::Internals
   vtkSmartPointer<vtkAlgorithm> Producer;
   vtkSmartPointer<vtkTextureObject> IrradianceTexture;
   int Port = 0;
-  Coefficients Light{};
-  std::array<Color, Lamps> LampRadiance{};
+  skyline::SurfaceLight Light{};
+  std::array<skyline::LightColor, Lamps> LampRadiance{};
   std::vector<float> PackedLight; // empty: to be packed
   vtkTimeStamp TextTime;
 
@@ -251,8 +103,8 @@ struct vtkSoftShadowShader::Internals
     }
     const int* size = this->Image->GetDimensions();
     ++this->Uploads;
-    return texture.Upload(window, Gather(array, first, count, size[0], size[1]), size[0], size[1],
-      count, half, array, array->GetMTime());
+    return texture.Upload(window, skyline::PostValues(array, first, count, size[0], size[1]),
+      size[0], size[1], count, half, array, array->GetMTime());
   }
 
   bool SendGradients(vtkOpenGLRenderWindow* window, vtkDataArray* heights)
@@ -264,8 +116,8 @@ struct vtkSoftShadowShader::Internals
     }
     const int* size = this->Image->GetDimensions();
     ++this->Uploads;
-    return this->Gradient.Upload(window, GatherGradients(this->Image, heights), size[0], size[1], 2,
-      false, heights, heights->GetMTime());
+    return this->Gradient.Upload(window, skyline::PostGradients(this->Image, heights), size[0],
+      size[1], 2, false, heights, heights->GetMTime());
   }
 };
 
@@ -359,9 +211,9 @@ vtkTextureObject* vtkSoftShadowShader::GetIrradianceTexture()
 
 void vtkSoftShadowShader::SetLightCoefficient(int index, double red, double green, double blue)
 {
-  if (index < 0 || index >= static_cast<int>(Count))
+  if (index < 0 || index >= static_cast<int>(skyline::LightCoefficients))
   {
-    vtkErrorMacro("no light coefficient " << index << ": 0 to " << Count - 1);
+    vtkErrorMacro("no light coefficient " << index << ": 0 to " << skyline::LightCoefficients - 1);
     return;
   }
   this->Inside->Light[static_cast<std::size_t>(index)] = { { red, green, blue } };
@@ -371,14 +223,15 @@ void vtkSoftShadowShader::SetLightCoefficient(int index, double red, double gree
 
 void vtkSoftShadowShader::GetLightCoefficient(int index, double rgb[3])
 {
-  const bool known = index >= 0 && index < static_cast<int>(Count);
-  const Color color = known ? this->Inside->Light[static_cast<std::size_t>(index)] : Color{};
+  const bool known = index >= 0 && index < static_cast<int>(skyline::LightCoefficients);
+  const skyline::LightColor color =
+    known ? this->Inside->Light[static_cast<std::size_t>(index)] : skyline::LightColor{};
   std::copy(color.begin(), color.end(), rgb);
 }
 
 void vtkSoftShadowShader::SetUniformLight(double red, double green, double blue)
 {
-  this->Inside->Light = Coefficients{};
+  this->Inside->Light = skyline::SurfaceLight{};
   const double y = std::sqrt(4.0 * skyline::Pi); // the coefficient of 1
   this->SetLightCoefficient(0, y * red, y * green, y * blue);
 }
@@ -402,14 +255,15 @@ void vtkSoftShadowShader::SetLampRadiance(int lamp, double red, double green, do
 void vtkSoftShadowShader::GetLampRadiance(int lamp, double rgb[3])
 {
   const bool known = lamp >= 0 && lamp < static_cast<int>(Lamps);
-  const Color color = known ? this->Inside->LampRadiance[static_cast<std::size_t>(lamp)] : Color{};
+  const skyline::LightColor color =
+    known ? this->Inside->LampRadiance[static_cast<std::size_t>(lamp)] : skyline::LightColor{};
   std::copy(color.begin(), color.end(), rgb);
 }
 
 bool vtkSoftShadowShader::HasLamps()
 {
   return std::any_of(this->Inside->LampRadiance.begin(), this->Inside->LampRadiance.end(),
-    [](const Color& color) { return color != Color{}; });
+    [](const skyline::LightColor& color) { return color != skyline::LightColor{}; });
 }
 
 std::string vtkSoftShadowShader::Prepare(vtkOpenGLRenderWindow* window)
@@ -481,7 +335,8 @@ std::string vtkSoftShadowShader::Prepare(vtkOpenGLRenderWindow* window)
   {
     const std::string& name =
       this->Mode == TRANSFER ? this->TransferArrayName : this->VisibilityArrayName;
-    vtkDataArray* array = find(name, static_cast<int>(Count), static_cast<int>(Count));
+    vtkDataArray* array = find(name, static_cast<int>(skyline::LightCoefficients),
+      static_cast<int>(skyline::LightCoefficients));
     if (!array)
     {
       return missing(name, "16");
@@ -517,53 +372,28 @@ std::string vtkSoftShadowShader::Prepare(vtkOpenGLRenderWindow* window)
 void vtkSoftShadowShader::ReplaceShaderValues(
   const std::map<vtkShader::Type, vtkShader*>& shaders, int normals)
 {
-  using skyline::ShaderPart;
-  std::string receiver;
-  if (this->Mode == RECEIVER)
+  skyline::SoftShadowText text;
+  switch (this->Mode)
   {
-    // First: what follows is put before it.
-    receiver = this->Inside->Receiver.AddText(
-      shaders, static_cast<skyline::ReceiverLight::Normals>(normals));
+    case RECEIVER:
+      // Before the rest: what follows is put before it.
+      text.Irradiance = this->Inside->Receiver.AddText(
+        shaders, static_cast<skyline::ReceiverLight::Normals>(normals));
+      break;
+    case IRRADIANCE:
+      text.Irradiance = skyline::ShaderPart(skyline_Irradiance);
+      break;
+    case TRANSFER:
+      text.Irradiance = skyline::ShaderPart(skyline_Transfer);
+      break;
+    default:
+      text.Irradiance = skyline::ShaderPart(skyline_Visibility);
   }
-  vtkShader* vertex = shaders.at(vtkShader::Vertex);
-  AddAfter(vertex, "//VTK::PositionVC::Dec", ShaderPart(skyline_SoftShadowVS));
-  AddAfter(vertex, "//VTK::PositionVC::Impl", ShaderPart(skyline_SoftShadowVS, "Impl"));
-  vtkShader* geometry = shaders.at(vtkShader::Geometry);
-  AddAfter(geometry, "//VTK::PositionVC::Dec", ShaderPart(skyline_SoftShadowGS));
-  AddAfter(geometry, "//VTK::PositionVC::Impl", ShaderPart(skyline_SoftShadowGS, "Impl"));
-
-  const bool decodes = !this->LinearTextures;
-  std::string functions = Define("SKYLINE_COLOR(c)", decodes ? "c" : "SkylineDecode(c)") +
-    Define("SKYLINE_ALBEDO(c)", decodes ? "SkylineDecode(c)" : "c") + ShaderPart(skyline_Srgb);
-  std::string developed = "c";
-  if (this->ToneMapping)
-  {
-    functions += ToneDefines() + ShaderPart(skyline_ToneMap);
-    developed = "SkylineToneMap(c)";
-  }
-  if (!this->LinearFramebuffer)
-  {
-    developed = "SkylineEncode(" + developed + ")";
-  }
-  functions += Define("SKYLINE_DEVELOP(c)", developed);
-  functions += this->Mode == RECEIVER ? receiver
-                                      : ShaderPart(this->Mode == IRRADIANCE ? skyline_Irradiance
-                                            : this->Mode == TRANSFER        ? skyline_Transfer
-                                                                            : skyline_Visibility);
-  std::string lamps;
-  if (this->HasLamps())
-  {
-    functions += ShaderPart(skyline_Lamps);
-    lamps = ShaderPart(skyline_Lamps, "Impl");
-  }
-  std::string declared = ShaderPart(skyline_SoftShadowFS);
-  vtkShaderProgram::Substitute(declared, "//Fill::Functions\n", functions);
-  std::string light = ShaderPart(skyline_SoftShadowFS, "Impl");
-  vtkShaderProgram::Substitute(light, "  //Fill::Lamps\n", lamps);
-  vtkShader* fragment = shaders.at(vtkShader::Fragment);
-  AddAfter(fragment, "//VTK::Color::Dec", declared);
-  AddAfter(fragment, "//VTK::Light::Impl", ShaderPart(skyline_SoftShadowFS, "Color"));
-  AddAfter(fragment, "//VTK::TCoord::Impl", light);
+  text.Lamps = this->HasLamps();
+  text.ToneMapping = this->ToneMapping;
+  text.LinearTextures = this->LinearTextures;
+  text.LinearFramebuffer = this->LinearFramebuffer;
+  skyline::AddSoftShadows(shaders, text);
 }
 
 void vtkSoftShadowShader::Activate()
@@ -601,14 +431,14 @@ void vtkSoftShadowShader::SetUniforms(
     static_cast<float>(std::exp2(std::clamp(this->Exposure, -120.0, 120.0)) / skyline::Pi));
   if (receiver)
   {
-    in.Receiver.SetUniforms(program, buffers, in.Placement, OpenSky(in.Light));
+    in.Receiver.SetUniforms(program, buffers, in.Placement, skyline::OpenSky(in.Light));
   }
   else if (this->Mode != IRRADIANCE)
   {
     if (in.PackedLight.empty())
     {
-      in.PackedLight =
-        this->Mode == TRANSFER ? PackTransferLight(in.Light) : PackVisibilityLight(in.Light);
+      in.PackedLight = this->Mode == TRANSFER ? skyline::PackTransferLight(in.Light)
+                                              : skyline::PackVisibilityLight(in.Light);
     }
     program->SetUniform4fv(
       "skylineLight", static_cast<int>(in.PackedLight.size() / 4), in.PackedLight.data());
