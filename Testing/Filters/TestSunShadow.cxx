@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Constants.h"
 #include "FilterTesting.h"
 
 #include "vtkHeightFieldReader.h"
 #include "vtkHeightFieldSunShadow.h"
+#include "vtkShadowHeightMap.h"
+#include "vtkSkylineSunLight.h"
 
 #include <gtest/gtest.h>
 
@@ -135,6 +138,14 @@ TEST(SunShadow, TimeOfDay)
     const float lit = visibility->GetValue(post);
     ASSERT_TRUE(lit == 0.0f || lit == 1.0f) << post;
   }
+}
+
+// The headers write the number again, for those who read them.
+TEST(SunShadow, DefaultRadiusIsTheMeanSuns)
+{
+  EXPECT_EQ(vtkNew<vtkHeightFieldSunShadow>()->GetSunAngularRadius(), MeanSunRadius);
+  EXPECT_EQ(vtkNew<vtkShadowHeightMap>()->GetSunAngularRadius(), MeanSunRadius);
+  EXPECT_EQ(vtkNew<vtkSkylineSunLight>()->GetAngularRadius(), MeanSunRadius);
 }
 
 } // namespace
