@@ -71,6 +71,7 @@ bool HorizonCache::Run(
   }
   std::sort(missing.begin(), missing.end());
   missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+  scene.DemandFloats("kept horizons", static_cast<std::ptrdiff_t>(missing.size()), missing);
   std::vector<std::vector<float>*> planes;
   planes.reserve(missing.size());
   for (const double azimuth : missing)

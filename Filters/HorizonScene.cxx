@@ -2,6 +2,7 @@
 #include "HorizonScene.h"
 
 #include "HeightPyramid.h"
+#include "MemoryDemand.h"
 #include "Normals.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
@@ -88,6 +89,9 @@ Grid GridOf(vtkImageData* image)
     throw std::invalid_argument(
       "the height field's axes are turned; give an image whose x points east and y north");
   }
+  // The plane of rows, and the bounds of one azimuth: two floats for 16 lines, and for 8 times 16.
+  constexpr double bytes = sizeof(float) * (1.0 + 2.0 * (1.0 + 1.0 / 8.0) / 16.0);
+  DemandMemory("the heights", dimensions[0], dimensions[1], bytes);
   return Grid{ dimensions[0], dimensions[1], spacing[0], spacing[1] };
 }
 
@@ -346,12 +350,44 @@ void HorizonScene::BlankMissing(vtkFloatArray* array) const
   }
 }
 
+bool HorizonScene::TakesColumns(const std::vector<double>& azimuths) const
+{
+  Grid grid = this->Field.Posts();
+  for (const RowBand& band : this->Bands)
+  {
+    grid.SpacingX = band.SpacingX;
+    grid.SpacingY = band.SpacingY;
+    for (const double azimuth : azimuths)
+    {
+      if (RayFrame::TakesColumns(grid, azimuth))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void HorizonScene::DemandFloats(
+  const char* what, std::ptrdiff_t floats, const std::vector<double>& azimuths) const
+{
+  const std::ptrdiff_t all = floats + (this->TakesColumns(azimuths) ? 1 : 0);
+  DemandMemory(
+    what, this->Posts().Columns, this->Posts().Rows, static_cast<double>(all) * sizeof(float));
+}
+
 vtkFloatArray* HorizonScene::AddArray(vtkImageData* output, const char* name, int components) const
 {
   vtkNew<vtkFloatArray> array;
   array->SetName(name);
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(output->GetNumberOfPoints());
+  if (array->GetNumberOfTuples() != output->GetNumberOfPoints())
+  {
+    throw std::runtime_error(std::string("no memory for ") + name + ": " +
+      std::to_string(output->GetNumberOfPoints()) + " posts of " + std::to_string(components) +
+      " floats; ask for less at a time, or give a coarser or smaller raster");
+  }
   output->GetPointData()->AddArray(array);
   return array;
 }

@@ -60,7 +60,13 @@ public:
   /// NaN at the missing posts of all components of an array.
   void BlankMissing(vtkFloatArray* array) const;
 
-  /// A float array of a value a post and component, row by row; not filled.
+  /// std::runtime_error if the machine has no memory for what a filter is about to allocate: `floats`
+  /// a post, and the columns that azimuths (degrees) need. what: the subject of its sentence.
+  void DemandFloats(
+    const char* what, std::ptrdiff_t floats, const std::vector<double>& azimuths) const;
+
+  /// A float array of a value a post and component, row by row; not filled. std::runtime_error if it
+  /// cannot be had.
   vtkFloatArray* AddArray(vtkImageData* output, const char* name, int components = 1) const;
 
   /// Prepares PreparedField for frames of columns; Run does it by itself.
@@ -81,6 +87,7 @@ public:
 
 private:
   std::shared_ptr<const HeightPyramid> PyramidOfHeights();
+  bool TakesColumns(const std::vector<double>& azimuths) const;
   void FindBand(const HorizonMethod& method, const RowBand& band, Accumulator& consumer) const;
   void FindRows(const HorizonMethod& method, const RowBand& band, Accumulator& consumer) const;
   void FindColumns(const HorizonMethod& method, const RowBand& band, Accumulator& consumer) const;

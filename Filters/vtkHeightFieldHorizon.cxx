@@ -19,6 +19,7 @@ void vtkHeightFieldHorizon::PrintSelf(ostream& os, vtkIndent indent)
 bool vtkHeightFieldHorizon::Compute(skyline::HorizonScene& scene, vtkImageData* output)
 {
   const std::vector<double> azimuths = skyline::EvenAzimuths(this->NumberOfAzimuths);
+  scene.DemandFloats("horizons", this->NumberOfAzimuths, azimuths);
   vtkFloatArray* horizon = scene.AddArray(output, "HorizonElevation", this->NumberOfAzimuths);
   if (!this->Store(scene, azimuths, horizon->GetPointer(0)))
   {
@@ -31,7 +32,6 @@ bool vtkHeightFieldHorizon::Compute(skyline::HorizonScene& scene, vtkImageData* 
 bool vtkHeightFieldHorizon::Store(
   skyline::HorizonScene& scene, const std::vector<double>& azimuths, float* values)
 {
-  skyline::StoreAccumulator store(
-    scene.Posts().Columns, scene.Posts().Rows, values, this->NumberOfAzimuths);
+  skyline::StoreAccumulator store(scene.Posts().Columns, values, this->NumberOfAzimuths);
   return scene.Run(azimuths, 0.0, store);
 }

@@ -174,6 +174,29 @@ std::vector<double> vtkHeightFieldIrradiance::SurfaceKey(
     this->LevelDistance, this->LevelSpline ? 1.0 : 0.0 };
 }
 
+// What a post takes beside its height: the result, the gradients, and the pass that takes most.
+std::ptrdiff_t vtkHeightFieldIrradiance::FloatsOfPasses(const SortedLights& lights) const
+{
+  std::ptrdiff_t pass = 0; // of lamps
+  if (this->LightMethod == HARMONICS)
+  {
+    pass = skyline::HarmonicCount(this->HarmonicBands) + skyline::WedgeGroup - 1 + this->Horizontal;
+  }
+  else if (!lights.Suns.empty())
+  {
+    pass = 3; // what is lit, what is hidden, the azimuth before
+  }
+  else if (!lights.Discs.empty())
+  {
+    pass = 2;
+  }
+  else if (this->Quadrature == LINEAR)
+  {
+    pass = 1;
+  }
+  return 3 + (this->Horizontal ? 0 : 2) + pass;
+}
+
 bool vtkHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageData* output)
 {
   using namespace skyline;
@@ -193,6 +216,7 @@ bool vtkHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageDat
     throw std::invalid_argument("no light shines; add one by AddLight");
   }
 
+  scene.DemandFloats("lit posts", this->FloatsOfPasses(lights), {});
   const auto count = static_cast<std::size_t>(output->GetNumberOfPoints());
   vtkFloatArray* irradiance = scene.AddArray(output, "Irradiance", 3);
   std::fill_n(irradiance->GetPointer(0), 3 * count, 0.0f);

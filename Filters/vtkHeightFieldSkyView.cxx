@@ -26,6 +26,9 @@ void vtkHeightFieldSkyView::PrintSelf(ostream& os, vtkIndent indent)
 bool vtkHeightFieldSkyView::Compute(skyline::HorizonScene& scene, vtkImageData* output)
 {
   const std::vector<double> azimuths = skyline::EvenAzimuths(this->NumberOfAzimuths);
+  const int quantities = this->SkyViewFactor + this->SkyViewFactorHorizontal +
+    this->VisibleSkyFraction + this->PositiveOpenness;
+  scene.DemandFloats("views of the sky", quantities + (this->SkyViewFactor ? 2 : 0), azimuths);
   std::vector<vtkFloatArray*> arrays;
   const auto buffer = [&](bool wanted, const char* name)
   {

@@ -52,6 +52,7 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
   }
   this->SearchedAzimuths = static_cast<int>(azimuths.size());
 
+  scene.DemandFloats("shadows of the sun", this->UseTime ? 3 : 2, azimuths);
   vtkFloatArray* visibility = scene.AddArray(output, "SunVisibility");
   const skyline::PostBuffer buffer{ visibility->GetPointer(0), 1 };
   const skyline::Grid& posts = scene.Posts();

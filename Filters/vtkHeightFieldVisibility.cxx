@@ -70,6 +70,10 @@ bool vtkHeightFieldVisibility::Project(
     AzimuthsInDegrees(this->SwathAzimuth, this->SwathWidth, this->NumberOfAzimuths);
   const double width =
     this->SwathWidth * skyline::RadiansPerDegree / static_cast<double>(azimuths.size());
+  // The sums, the azimuths of a group that wait, the gradients.
+  scene.DemandFloats("spherical harmonics",
+    skyline::HarmonicCount(this->NumberOfBands) + skyline::WedgeGroup - 1 + (withCosine ? 2 : 0),
+    azimuths);
 
   std::vector<float> gradients;
   const auto posts = static_cast<std::size_t>(output->GetNumberOfPoints());

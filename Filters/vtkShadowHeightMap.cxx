@@ -132,6 +132,7 @@ bool vtkShadowHeightMap::Compute(skyline::HorizonScene& scene, vtkImageData* out
     throw std::invalid_argument("shadow heights are those of the triangles; set that surface");
   }
   skyline::SunField::Constant(this->SunAzimuth, this->SunElevation, this->SunAngularRadius);
+  scene.DemandFloats("shadow heights", this->Soft ? 3 : 1, { this->SunAzimuth });
   const double elevation = this->SunElevation * skyline::RadiansPerDegree;
   const double radius = this->SunAngularRadius * skyline::RadiansPerDegree;
   bool finished =

@@ -7,6 +7,7 @@
 #include "StoreAccumulator.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "hwy/highway.h"
 
@@ -56,80 +57,70 @@ HWY_EXPORT(ToDegrees);
 
 namespace
 {
-constexpr std::ptrdiff_t LineFloats = 16; // floats of a cache line
-}
+// Posts whose azimuths lie together until Finish: 33 lines of the cache, and an odd number spreads the
+// azimuths over its sets when they are turned into tuples.
+constexpr std::ptrdiff_t Block = 528;
+} // namespace
 
-StoreAccumulator::StoreAccumulator(std::ptrdiff_t columns, std::ptrdiff_t rows, float* values,
-  std::ptrdiff_t postStride, std::ptrdiff_t azimuthStride)
+StoreAccumulator::StoreAccumulator(
+  std::ptrdiff_t columns, float* values, std::ptrdiff_t postStride, std::ptrdiff_t azimuthStride)
   : Columns(columns)
-  , Posts(columns * rows)
   , Values(values)
   , PostStride(postStride)
   , AzimuthStride(azimuthStride)
-  , Batch(std::min(LineFloats, postStride))
 {
 }
 
 void StoreAccumulator::Begin(double, double)
 {
   ++this->Azimuth;
-  this->Gathered.resize(static_cast<std::size_t>((this->Batch - 1) * this->Posts));
 }
 
 void StoreAccumulator::Add(
   std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count, const float* slopes)
 {
-  const std::ptrdiff_t post = row * this->Columns + column;
-  if (this->Batch == 1)
+  float* line = this->Values + row * this->Columns * this->PostStride;
+  if (this->PostStride == 1)
   {
     HWY_DYNAMIC_DISPATCH(ToDegrees)
-    (slopes, count, this->Values + post + this->Azimuth * this->AzimuthStride);
+    (slopes, count, line + column + this->Azimuth * this->AzimuthStride);
     return;
   }
-  const std::ptrdiff_t plane = this->Azimuth % this->Batch;
-  if (plane < this->Batch - 1)
+  for (const std::ptrdiff_t end = column + count; column < end;)
   {
+    const std::ptrdiff_t block = column / Block * Block;
+    const std::ptrdiff_t width = std::min(Block, this->Columns - block);
+    const std::ptrdiff_t size = std::min(block + width, end) - column;
     HWY_DYNAMIC_DISPATCH(ToDegrees)
-    (slopes, count, this->Gathered.data() + plane * this->Posts + post);
-    return;
-  }
-  constexpr std::ptrdiff_t Piece = 256;
-  float degrees[Piece];
-  for (std::ptrdiff_t begin = 0; begin < count; begin += Piece)
-  {
-    const std::ptrdiff_t size = std::min(Piece, count - begin);
-    HWY_DYNAMIC_DISPATCH(ToDegrees)(slopes + begin, size, degrees);
-    this->WriteBatch(post + begin, size, plane);
-    float* out =
-      this->Values + (post + begin) * this->PostStride + this->Azimuth * this->AzimuthStride;
-    for (std::ptrdiff_t i = 0; i < size; ++i)
-    {
-      out[i * this->PostStride] = degrees[i];
-    }
-  }
-}
-
-void StoreAccumulator::WriteBatch(
-  std::ptrdiff_t post, std::ptrdiff_t count, std::ptrdiff_t gathered)
-{
-  const std::ptrdiff_t first = this->Azimuth / this->Batch * this->Batch;
-  const float* planes = this->Gathered.data() + post;
-  float* out = this->Values + post * this->PostStride + first * this->AzimuthStride;
-  for (std::ptrdiff_t i = 0; i < count; ++i)
-  {
-    for (std::ptrdiff_t plane = 0; plane < gathered; ++plane)
-    {
-      out[i * this->PostStride + plane * this->AzimuthStride] = planes[plane * this->Posts + i];
-    }
+    (slopes, size, line + block * this->PostStride + this->Azimuth * width + (column - block));
+    slopes += size;
+    column += size;
   }
 }
 
 void StoreAccumulator::Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd)
 {
-  const std::ptrdiff_t gathered = this->Azimuth % this->Batch + 1;
-  if (gathered < this->Batch)
+  if (this->PostStride == 1)
   {
-    this->WriteBatch(rowBegin * this->Columns, (rowEnd - rowBegin) * this->Columns, gathered);
+    return;
+  }
+  std::vector<float> planes(
+    static_cast<std::size_t>(std::min(Block, this->Columns) * this->PostStride));
+  for (std::ptrdiff_t row = rowBegin; row < rowEnd; ++row)
+  {
+    for (std::ptrdiff_t block = 0; block < this->Columns; block += Block)
+    {
+      const std::ptrdiff_t width = std::min(Block, this->Columns - block);
+      float* tuple = this->Values + (row * this->Columns + block) * this->PostStride;
+      std::copy_n(tuple, width * this->PostStride, planes.data());
+      for (std::ptrdiff_t post = 0; post < width; ++post, tuple += this->PostStride)
+      {
+        for (std::ptrdiff_t k = 0; k <= this->Azimuth; ++k)
+        {
+          tuple[k] = planes[static_cast<std::size_t>(k * width + post)];
+        }
+      }
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <tuple>
 #include <vector>
 
 namespace skyline
@@ -24,7 +25,7 @@ constexpr double ElevationBound = 8.0e-6;
 std::vector<float> Degrees(const std::vector<float>& slopes)
 {
   std::vector<float> degrees(slopes.size());
-  StoreAccumulator store(static_cast<std::ptrdiff_t>(slopes.size()), 1, degrees.data(), 1);
+  StoreAccumulator store(static_cast<std::ptrdiff_t>(slopes.size()), degrees.data(), 1);
   store.Begin(0.0, 1.0);
   store.Add(0, 0, static_cast<std::ptrdiff_t>(slopes.size()), slopes.data());
   store.Finish(0, 1);
@@ -71,17 +72,19 @@ TEST(StoreAccumulator, ArcTangentOfEveryMagnitude)
     });
 }
 
-// Fewer azimuths than a batch of 16, one batch, and batches with a rest.
-class StoreLayouts : public ::testing::TestWithParam<int>
+// Rows shorter than a block of posts, and of two blocks and a rest; in runs across their borders.
+class StoreLayouts : public ::testing::TestWithParam<std::tuple<std::ptrdiff_t, std::ptrdiff_t>>
 {
 };
 
 TEST_P(StoreLayouts, HoldTheSame)
 {
-  const std::ptrdiff_t columns = 19, rows = 2, azimuths = GetParam();
-  std::vector<float> components(columns * rows * azimuths), bands(components.size());
-  StoreAccumulator sideBySide(columns, rows, components.data(), azimuths);
-  StoreAccumulator apart(columns, rows, bands.data(), 1, columns * rows);
+  const std::ptrdiff_t rows = 2;
+  const auto [columns, azimuths] = GetParam();
+  std::vector<float> components(static_cast<std::size_t>(columns * rows * azimuths)),
+    bands(components.size());
+  StoreAccumulator sideBySide(columns, components.data(), azimuths);
+  StoreAccumulator apart(columns, bands.data(), 1, columns * rows);
   for (std::ptrdiff_t k = 0; k < azimuths; ++k)
   {
     sideBySide.Begin(0.1 * static_cast<double>(k), 0.1);
@@ -96,8 +99,8 @@ TEST_P(StoreLayouts, HoldTheSame)
       // In one run, and in three.
       apart.Add(row, 0, columns, slopes.data());
       sideBySide.Add(row, 0, 1, slopes.data());
-      sideBySide.Add(row, 1, 17, slopes.data() + 1);
-      sideBySide.Add(row, 18, 1, slopes.data() + 18);
+      sideBySide.Add(row, 1, columns - 2, slopes.data() + 1);
+      sideBySide.Add(row, columns - 1, 1, slopes.data() + columns - 1);
     }
   }
   for (std::ptrdiff_t row = 0; row < rows; ++row)
@@ -115,7 +118,8 @@ TEST_P(StoreLayouts, HoldTheSame)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Azimuths, StoreLayouts, ::testing::Values(1, 2, 3, 15, 16, 17, 32, 40));
+INSTANTIATE_TEST_SUITE_P(ColumnsAndAzimuths, StoreLayouts,
+  ::testing::Combine(::testing::Values(2, 19, 528, 529, 1100), ::testing::Values(1, 2, 16, 37)));
 
 } // namespace
 } // namespace testing
