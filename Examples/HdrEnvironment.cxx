@@ -71,7 +71,8 @@ int main(int argc, char* argv[])
   renderer->ResetCamera();
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->Elevation(-55.0); // from the south
-  camera->Zoom(1.6);
+  camera->Pitch(-2.0);
+  camera->Zoom(1.7);
   renderer->ResetCameraClippingRange();
 
   vtkNew<vtkSkylineEGLWindow> window;

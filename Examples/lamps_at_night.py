@@ -53,8 +53,8 @@ for column, row, above, radius, color in LAMPS:
     renderer.AddActor(actor)
 
 lit = skyline.irradiance(terrain, lights=lights, azimuths=64)
-light = skyline.to_array(lit, "Irradiance")
-print(f"irradiance {np.nanmin(light):.3f} to {np.nanmax(light):.1f}")
+green = skyline.to_array(lit, "Irradiance")[..., 1]
+print(f"green irradiance {np.nanmin(green):.3f} to {np.nanmax(green):.1f}")
 
 surface = skyline.vtkHeightFieldSurface()
 surface.SetInputData(terrain)
