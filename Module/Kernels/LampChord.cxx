@@ -65,7 +65,12 @@ bool LampChord::Set(
   this->HighSlope = hasHigh ? highUp / highAlong : Infinite;
 
   this->Turn = std::max(0.0, along - circle);
-  this->TurnSlope = !hasLow ? -Infinite : !hasHigh ? Infinite : up / (along - circle);
+  // Where rounding leaves the disc both of its tangents though it touches the vertical, the slope is
+  // that of the vertical.
+  this->TurnSlope = !hasLow ? -Infinite
+    : !hasHigh              ? Infinite
+    : this->Turn > 0.0      ? up / this->Turn
+                            : std::copysign(Infinite, up);
   this->TurnSlope = std::clamp(this->TurnSlope, this->LowSlope, this->HighSlope);
   const double toTangent = tangent / square;
   this->LowEnd = hasLow ? std::max(this->Turn, toTangent * lowAlong) : this->Turn;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -118,6 +119,30 @@ TEST(LampChord, SeesWhatRaysSee)
     }
   }
   EXPECT_GT(partly, 100); // the trials are worth their name
+}
+
+// A circle that stands on the post's vertical but for rounding, to either side: its tangents lean
+// ahead, and no slope divides by nothing.
+TEST(LampChord, TouchesTheVertical)
+{
+  const Profile profile{ { 0.0, 0.0 }, { 1.0, 0.4 }, { 1.5, 3.0 }, { 2.5, -2.0 }, { 9.0, -9.0 } };
+  for (const double up : { -4.0, 4.0 })
+  {
+    for (const double beyond : { -1e-15, 0.0, 1e-15 })
+    {
+      const double along = 3.0 * (1.0 + beyond);
+      const double tangent = 4.0 * (1.0 + 1e-14); // of a length that rounding made too great
+      const LampFacing facing{ std::cos(1.2), std::copysign(std::sin(1.2), -up) };
+      std::feclearexcept(FE_ALL_EXCEPT);
+      LampChord chord;
+      ASSERT_TRUE(chord.Set(along, up, 3.0, tangent, facing));
+      const double found = ByChord(chord, profile);
+      EXPECT_EQ(std::fetestexcept(FE_INVALID | FE_OVERFLOW | FE_DIVBYZERO), 0);
+      EXPECT_NEAR(chord.Whole(), ByRays(along, up, 3.0, facing, profile, false), RayBound);
+      EXPECT_NEAR(found, ByRays(along, up, 3.0, facing, profile, true), RayBound)
+        << up << " " << beyond;
+    }
+  }
 }
 
 TEST(LampChord, WithoutTerrainNothingIsMissing)
