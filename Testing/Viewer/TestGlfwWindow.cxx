@@ -18,9 +18,6 @@ namespace testing
 namespace
 {
 
-constexpr int Width = 640;
-constexpr int Height = 400;
-
 class GlfwWindowTest : public ::testing::Test
 {
 protected:

@@ -2,8 +2,6 @@
 // The viewer in a window without a window system: what events do to the picture.
 #include "ViewerTesting.h"
 
-#include "vtkSkylineEGLWindow.h"
-
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
@@ -14,8 +12,8 @@
 #include "vtkSoftShadowShader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
-#include <memory>
 #include <vector>
 
 namespace skyline
@@ -25,11 +23,11 @@ namespace testing
 namespace
 {
 
-constexpr int Width = 640;
-constexpr int Height = 400;
-
 // Light at a place against that at the nearest post, the median of a row of pixels.
 constexpr double NearestPost = 0.02;
+
+// A row of the sky's picture, a degree, against the next.
+constexpr float NextRow = 0.02f;
 
 bool HasPass(const PassTimes& times, const std::string& name)
 {
@@ -42,50 +40,6 @@ bool HasPass(const PassTimes& times, const std::string& name)
   }
   return false;
 }
-
-class ViewerTest : public ::testing::Test
-{
-protected:
-  void SetUp() override
-  {
-    PrepareVtk(Silent());
-    vtkNew<vtkSkylineEGLWindow> probe;
-    if (!probe->SupportsOpenGL())
-    {
-      GTEST_SKIP() << "no OpenGL context without a window system: " << probe->GetReason();
-    }
-    this->Window->SetMultiSamples(0);
-  }
-
-  void TearDown() override
-  {
-    this->View.reset();
-    this->Window->Finalize();
-  }
-
-  void Open(const ViewerOptions& options = Quick())
-  {
-    this->View = std::make_unique<Viewer>(this->Window, options, Silent());
-    this->View->Resize(Width, Height, 1.0);
-    this->Rest();
-  }
-
-  void Rest() { ASSERT_TRUE(Settle(*this->View, this->Now)); }
-  void Draw() { this->View->Draw(this->Now += 0.01); }
-
-  void DragTo(
-    double x, double y, MouseButton button = MouseButton::Left, const Modifiers& with = Plain)
-  {
-    this->View->MousePress(button, true, with);
-    this->View->MouseMove(x, y);
-    this->Draw();
-    this->View->MousePress(button, false, with);
-  }
-
-  vtkNew<vtkSkylineEGLWindow> Window;
-  std::unique_ptr<Viewer> View;
-  double Now = 0.0;
-};
 
 TEST_F(ViewerTest, FirstPictureIsFastThenExact)
 {
@@ -185,6 +139,8 @@ TEST_F(ViewerTest, LampsArePlacedAndMoved)
   const ViewerLamp moved = this->View->GetState().Lamps[0];
   EXPECT_GT(moved.X, placed.X);
   EXPECT_EQ(moved.Height, placed.Height);
+  EXPECT_FALSE(this->View->IsExact());
+  EXPECT_NE(this->View->GetHud().Status.find("preview"), std::string::npos);
   foot = this->View->GetScene().GetFoot(moved);
   EXPECT_NEAR(foot[0], x + 120.0, 3.0);
   this->Rest();
@@ -199,6 +155,20 @@ TEST_F(ViewerTest, LampsArePlacedAndMoved)
   this->View->KeyPress('L', Plain);
   EXPECT_TRUE(this->View->GetState().Lamps.empty());
   EXPECT_EQ(this->View->GetMessage(), "no ground under the mouse for a lamp");
+}
+
+// The light that follows the hand is that of the next rest, but for its shadows.
+TEST_F(ViewerTest, LampsShineTheSameWhileTheyMove)
+{
+  ViewerOptions options = Quick();
+  options.Lights.Sun.Time = "2026-06-21T08:00Z"; // night
+  this->Open(options);
+  this->View->MouseMove(Width / 2, Height / 2);
+  this->View->KeyPress('L', Plain);
+  this->Draw();
+  const double moving = Brightness(this->Window, 0, 100, Width - 1, Height - 100);
+  this->Rest();
+  EXPECT_NEAR(Brightness(this->Window, 0, 100, Width - 1, Height - 100), moving, 0.1 * moving);
 }
 
 TEST_F(ViewerTest, DroppedFilesBecomeSkyOrTerrain)
@@ -337,11 +307,15 @@ TEST_F(ViewerTest, LinearScreenshotsHoldTheRadiance)
   vtkImageData* picture = reader->GetOutput();
   ASSERT_EQ(picture->GetDimensions()[0], Width);
   ASSERT_EQ(picture->GetDimensions()[1], Width / 2);
-  const Rgb& sky = this->View->GetScene().GetSky();
+  const SkyImage& sky = this->View->GetScene().GetSky().GetSky();
+  const ScenePoint look = this->View->GetScene().GetDirection(2.5, Width / 2 - 2.5);
+  const auto row =
+    static_cast<std::ptrdiff_t>(std::acos(look[2]) / M_PI * static_cast<double>(sky.Rows));
   for (int c = 0; c < 3; ++c)
   {
+    const float there = sky.Values[static_cast<std::size_t>(3 * row * sky.Columns + c)];
     const float seen = picture->GetScalarComponentAsFloat(2, Width / 2 - 3, 0, c);
-    EXPECT_NEAR(seen, sky[static_cast<std::size_t>(c)], 0.001f * sky[0]);
+    EXPECT_NEAR(seen, there, NextRow * there);
   }
   vtkImageData* lit = this->View->GetScene().GetShader()->GetHeightField();
   std::vector<double> ratios;

@@ -108,7 +108,7 @@ TEST(ViewerState, ArrowKeysMoveTheSunByDirection)
   {
     state.Press(KeyDown, Plain);
   }
-  EXPECT_EQ(state.Elevation, -10.0); // where its slider ends
+  EXPECT_EQ(state.Elevation, -20.0); // where its slider ends
 }
 
 TEST(ViewerState, SlidersSpanDayAndYear)
@@ -209,8 +209,8 @@ TEST(ViewerState, EveryKeyOfTheHelpMeansSomething)
       static_cast<int>(KeyEscape), static_cast<int>('S'), static_cast<int>('K'),
       static_cast<int>('R'), static_cast<int>('L'), static_cast<int>('['), static_cast<int>(']'),
       static_cast<int>(','), static_cast<int>('.'), static_cast<int>('X'), static_cast<int>('-'),
-      static_cast<int>('='), static_cast<int>('C'), static_cast<int>('P'), static_cast<int>('T'),
-      static_cast<int>('V'), static_cast<int>('H'), static_cast<int>('Q') })
+      static_cast<int>('='), static_cast<int>('A'), static_cast<int>('C'), static_cast<int>('P'),
+      static_cast<int>('T'), static_cast<int>('V'), static_cast<int>('H'), static_cast<int>('Q') })
   {
     ViewerState state;
     EXPECT_NE(state.Press(key, Plain), ViewerWish::Nothing) << key;

@@ -8,18 +8,23 @@
 
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
+#include "vtkSkylineEGLWindow.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <string>
 
 namespace skyline
 {
 namespace testing
 {
+
+constexpr int Width = 640;
+constexpr int Height = 400;
 
 constexpr Modifiers Plain{};
 constexpr Modifiers Shift{ true, false };
@@ -93,6 +98,51 @@ inline double Brightness(vtkRenderWindow* window)
   const int* size = window->GetSize();
   return Brightness(window, 0, 0, size[0] - 1, size[1] - 1);
 }
+
+/// A viewer in a window without a window system.
+class ViewerTest : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    PrepareVtk(Silent());
+    vtkNew<vtkSkylineEGLWindow> probe;
+    if (!probe->SupportsOpenGL())
+    {
+      GTEST_SKIP() << "no OpenGL context without a window system: " << probe->GetReason();
+    }
+    this->Window->SetMultiSamples(0);
+  }
+
+  void TearDown() override
+  {
+    this->View.reset();
+    this->Window->Finalize();
+  }
+
+  void Open(const ViewerOptions& options = Quick())
+  {
+    this->View = std::make_unique<Viewer>(this->Window, options, Silent());
+    this->View->Resize(Width, Height, 1.0);
+    this->Rest();
+  }
+
+  void Rest() { ASSERT_TRUE(Settle(*this->View, this->Now)); }
+  void Draw() { this->View->Draw(this->Now += 0.01); }
+
+  void DragTo(
+    double x, double y, MouseButton button = MouseButton::Left, const Modifiers& with = Plain)
+  {
+    this->View->MousePress(button, true, with);
+    this->View->MouseMove(x, y);
+    this->Draw();
+    this->View->MousePress(button, false, with);
+  }
+
+  vtkNew<vtkSkylineEGLWindow> Window;
+  std::unique_ptr<Viewer> View;
+  double Now = 0.0;
+};
 
 } // namespace testing
 } // namespace skyline

@@ -88,8 +88,11 @@ private:
   vtkNew<vtkUnsignedCharArray> Colors;
 };
 
-// North as the camera sees it: up where the camera looks north.
-void DrawArrow(Canvas& canvas, const skyline::HudLayout& layout, double heading)
+/// From the middle of the arrow's disc to the letter, in its radii.
+constexpr double LetterPlace = 0.62;
+
+// North as the camera sees it: up where the camera looks north. The letter goes with it.
+Corner DrawArrow(Canvas& canvas, const skyline::HudLayout& layout, double heading)
 {
   const double angle = -heading * skyline::RadiansPerDegree;
   const double s = std::sin(angle);
@@ -101,8 +104,9 @@ void DrawArrow(Canvas& canvas, const skyline::HudLayout& layout, double heading)
       layout.ArrowCenter[1] + r * (ahead * c - right * s) } };
   };
   canvas.Disc(layout.ArrowCenter[0], layout.ArrowCenter[1], layout.ArrowRadius, Dark);
-  canvas.Polygon({ corner(0.0, 0.9), corner(-0.32, -0.1), corner(0.0, -0.1) }, Warm);
-  canvas.Polygon({ corner(0.0, 0.9), corner(0.0, -0.1), corner(0.32, -0.1) }, Light);
+  canvas.Polygon({ corner(0.0, 0.3), corner(-0.36, -0.7), corner(0.0, -0.5) }, Warm);
+  canvas.Polygon({ corner(0.0, 0.3), corner(0.0, -0.5), corner(0.36, -0.7) }, Light);
+  return corner(0.0, LetterPlace);
 }
 
 } // namespace
@@ -129,7 +133,7 @@ Hud::Hud()
   this->Message = this->MakeText(VTK_TEXT_LEFT, VTK_TEXT_BOTTOM, false);
   this->Message->GetTextProperty()->SetColor(1.0, 0.8, 0.4);
   this->Help = this->MakeText(VTK_TEXT_LEFT, VTK_TEXT_CENTERED, true);
-  this->Help->GetTextProperty()->SetBackgroundOpacity(0.8);
+  this->Help->GetTextProperty()->SetBackgroundOpacity(0.9);
   this->Bar = this->MakeText(VTK_TEXT_RIGHT, VTK_TEXT_BOTTOM, false);
   this->North = this->MakeText(VTK_TEXT_CENTERED, VTK_TEXT_CENTERED, false);
   this->North->GetTextProperty()->SetBackgroundOpacity(0.0);
@@ -173,8 +177,10 @@ void Hud::Write(vtkTextActor* actor, const std::string& text, double x, double y
   }
 }
 
-void Hud::Show(const HudContent& content, const HudLayout& layout, int width, int height)
+void Hud::Show(const HudContent& content, const HudLayout& layout)
 {
+  const int width = layout.Width;
+  const int height = layout.Height;
   const double margin = layout.Margin;
   const int size = layout.FontSize;
   const double unit = size / 14.0; // the scale of the layout
@@ -208,9 +214,8 @@ void Hud::Show(const HudContent& content, const HudLayout& layout, int width, in
 
   if (layout.Arrow)
   {
-    DrawArrow(canvas, layout, content.Heading);
-    this->Write(this->North, "N", layout.ArrowCenter[0],
-      layout.ArrowCenter[1] - 0.5 * layout.ArrowRadius, size);
+    const Corner north = DrawArrow(canvas, layout, content.Heading);
+    this->Write(this->North, "N", north[0], north[1], size);
   }
   this->North->SetVisibility(layout.Arrow);
 

@@ -38,7 +38,7 @@ public:
 
   vtkRenderer* GetRenderer() const;
 
-  void Show(const HudContent& content, const HudLayout& layout, int width, int height);
+  void Show(const HudContent& content, const HudLayout& layout);
 
 private:
   vtkSmartPointer<vtkTextActor> MakeText(int align, int valign, bool fixed);

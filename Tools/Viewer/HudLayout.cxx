@@ -31,6 +31,9 @@ namespace skyline
 {
 
 HudLayout::HudLayout(int width, int height, double scale)
+  : Width(width)
+  , Height(height)
+  , Scale(scale)
 {
   const double wide = width / scale;
   const double high = height / scale;

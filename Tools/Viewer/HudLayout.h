@@ -29,6 +29,8 @@ struct HudLayout
   HudLayout() = default;
   HudLayout(int width, int height, double scale);
 
+  int Width = 0, Height = 0; ///< of the framebuffer
+  double Scale = 1.0;
   bool Status = false; ///< the lines at the upper left
   bool Times = false;  ///< the lines at the upper right
   bool Arrow = false;

@@ -4,7 +4,9 @@
 #include "../Passes.h"
 #include "Constants.h"
 #include "Daylight.h"
+#include "Exposure.h"
 #include "HeightRay.h"
+#include "Twilight.h"
 #include "ZonalSky.h"
 
 #include "vtkCommand.h"
@@ -34,6 +36,32 @@ constexpr double KeptHorizons = 1.0e9;
 
 /// A light map's sun below the horizon: the formulas of skies end at the horizon.
 constexpr double LowestSkySun = 0.0;
+
+/// The colour of twilight against that of day, and the elevation, degrees, of a sun
+/// that has left it alone: what ozone lets through on the long way. A choice for the eye.
+constexpr skyline::Rgb TwilightColor{ { 0.62f, 1.0f, 2.0f } };
+constexpr double BlueHour = -6.0;
+
+// By day as ClearDaylight has it; below the horizon the sky's light goes out, blue.
+skyline::Daylight DaylightOf(const skyline::TerrainLight& light)
+{
+  skyline::Daylight day = skyline::ClearDaylight(light.Sun.ApparentElevation, light.Air);
+  const double elevation = light.Sun.ApparentElevation;
+  const auto share = static_cast<float>(skyline::TwilightShare(elevation));
+  const auto blue =
+    static_cast<float>(light.Air ? std::clamp(elevation / BlueHour, 0.0, 1.0) : 0.0);
+  const float before = skyline::Luminance(day.SkyRadiance);
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    day.SkyRadiance[c] *= 1.0f + blue * (TwilightColor[c] - 1.0f);
+  }
+  const float gain = share * before / skyline::Luminance(day.SkyRadiance);
+  for (float& channel : day.SkyRadiance)
+  {
+    channel *= gain;
+  }
+  return day;
+}
 
 // Calls a function at progress.
 class Asking : public vtkCommand
@@ -204,6 +232,7 @@ void LitTerrain::Exaggerate(const TerrainLight& light)
   this->MapKey.clear();
   this->SunKey.clear();
   this->Lamps.clear();
+  this->Preview.reset();
   this->FastMap = nullptr;
   this->ExactMap = nullptr;
   this->FastSun = nullptr;
@@ -269,8 +298,9 @@ bool LitTerrain::LightMap(const TerrainLight& light, bool exact)
   vtkSkylineEnvironmentLight* map = light.Environment;
   const bool byFormula = map->GetSource() != vtkSkylineEnvironmentLight::IMAGE;
   const double elevation = std::max(light.Sun.ApparentElevation, LowestSkySun);
-  const std::string key = Key(light.Sky, light.Rotation, exact,
-    byFormula ? light.Sun.GridAzimuth : 0.0, byFormula ? elevation : 0.0);
+  const double given = byFormula ? light.Sun.ApparentElevation : 0.0; // twilight included
+  const std::string key =
+    Key(light.Sky, light.Rotation, exact, byFormula ? light.Sun.GridAzimuth : 0.0, given);
   if (key == this->MapKey)
   {
     return true;
@@ -280,7 +310,7 @@ bool LitTerrain::LightMap(const TerrainLight& light, bool exact)
   map->SetSunElevation(elevation);
   if (kind == SkyKind::Formula)
   {
-    const Rgb sky = ClearDaylight(light.Sun.ApparentElevation, light.Air).SkyRadiance;
+    const Rgb sky = DaylightOf(light).SkyRadiance;
     map->SetRadiance(sky[0], sky[1], sky[2]);
   }
   auto& filter = exact ? this->ExactMap : this->FastMap;
@@ -355,16 +385,24 @@ bool LitTerrain::LightLamps(const TerrainLight& light, bool exact)
       continue;
     }
     const double ground = GroundOrZero(this->Heights, light.Exaggeration, lamp.X, lamp.Y);
+    if (!exact)
+    {
+      const auto start = std::chrono::steady_clock::now();
+      if (!this->Preview)
+      {
+        this->Preview = std::make_unique<LampPreview>(this->Scaled);
+      }
+      layers.push_back({ lamp, this->Preview->Light(lamp, ground + lamp.Height), exact });
+      const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+      this->Times.emplace_back("lamp", time.count());
+      continue;
+    }
     vtkNew<vtkSkylineLampLight> source;
     source->SetPosition(lamp.X, lamp.Y, ground + lamp.Height);
     source->SetRadius(lamp.Radius);
     source->SetRadiance(lamp.Radiance[0], lamp.Radiance[1], lamp.Radiance[2]);
     const auto filter = this->MakeIrradiance();
     filter->AddLight(source);
-    if (!exact)
-    {
-      filter->SetMethodToFast();
-    }
     if (!this->Run(filter, "lamp", exact))
     {
       return false;
@@ -378,7 +416,7 @@ bool LitTerrain::LightLamps(const TerrainLight& light, bool exact)
 void LitTerrain::Shade(const TerrainLight& light, bool exact)
 {
   const SkyKind kind = KindOfSky(light.Sky);
-  Daylight day = ClearDaylight(light.Sun.ApparentElevation, light.Air);
+  Daylight day = DaylightOf(light);
   if (kind == SkyKind::Measured)
   {
     day.SunIrradiance = light.MeasuredSun;
@@ -386,6 +424,13 @@ void LitTerrain::Shade(const TerrainLight& light, bool exact)
   if (!light.SunOn)
   {
     day.SunIrradiance = Rgb{};
+  }
+  const auto rise =
+    static_cast<float>(std::sin(std::max(light.Sun.ApparentElevation, 0.0) * RadiansPerDegree));
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    const float sky = kind == SkyKind::None ? 0.0f : day.SkyRadiance[c];
+    this->GroundLight[c] = sky + rise * day.SunIrradiance[c] / static_cast<float>(Pi);
   }
   if (kind != SkyKind::Uniform && kind != SkyKind::Zonal)
   {
@@ -446,7 +491,8 @@ void LitTerrain::Shade(const TerrainLight& light, bool exact)
   this->Shading->SetSkyRadiance(day.SkyRadiance[0], day.SkyRadiance[1], day.SkyRadiance[2]);
   this->Shading->SetColorMap(light.Colors);
   this->Run(this->Shading, "shading", false);
-  this->Exposure = this->Shading->GetUsedExposure();
+  const double stops = this->Shading->GetUsedExposure();
+  this->Exposure = kind == SkyKind::Measured ? stops : AdaptedStops(stops);
   this->Output = vtkSmartPointer<vtkImageData>::New();
   this->Output->ShallowCopy(this->Shading->GetOutput());
 }
@@ -457,7 +503,7 @@ bool LitTerrain::Light(const TerrainLight& light, bool exact)
   this->Exaggerate(light);
   const bool shines = light.SunOn &&
     (KindOfSky(light.Sky) == SkyKind::Measured ||
-      Luminance(ClearDaylight(light.Sun.ApparentElevation, light.Air).SunIrradiance) > 0.0f);
+      Luminance(DaylightOf(light).SunIrradiance) > 0.0f);
   if (!this->LightSky(light, exact) || !this->LightMap(light, exact) ||
     (shines && !this->LightSun(light, exact)) || !this->LightLamps(light, exact))
   {

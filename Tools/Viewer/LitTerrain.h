@@ -5,13 +5,14 @@
 
 #include "../Options.h"
 #include "../SunLight.h"
+#include "LampPreview.h"
 #include "ToneMap.h"
 #include "ViewerState.h"
 
 #include "vtkSmartPointer.h"
 
 #include <functional>
-#include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -71,15 +72,18 @@ public:
   std::function<bool()> Stop;
 
   /// Computes what differs from the last call. Not exact: light maps by spherical harmonics, the sun
-  /// by bounds of its horizon, as if it stood in one direction for all posts. False if stopped; the
+  /// by bounds of its horizon, as if it stood in one direction for all posts, lamps by LampPreview. False if stopped; the
   /// output then is the last one. Throws Failure.
   bool Light(const TerrainLight& light, bool exact);
 
   /// The heights with Radiance, as vtkHeightFieldShading makes it; null before the first Light.
   vtkImageData* GetOutput() const;
   vtkImageData* GetHeights() const;                     ///< not exaggerated
-  double GetExposure() const { return this->Exposure; } ///< stops, automatic
+  double GetExposure() const { return this->Exposure; } ///< stops, automatic; a light map's in full
+  /// Mean of the sky over open level ground; of a formula's sky (CIE, not zonal) that of its zenith.
   const Rgb& GetSkyRadiance() const { return this->SkyRadiance; }
+  /// Irradiance over pi of open level ground by sun and formula; without lamps and light maps.
+  const Rgb& GetGroundLight() const { return this->GroundLight; }
   const PassTimes& GetTimes() const { return this->Times; } ///< of the last Light
 
 private:
@@ -113,11 +117,13 @@ private:
   std::string SunKey;
   vtkSmartPointer<vtkHeightFieldSunShadow> FastSun, ExactSun;
   std::vector<LampLayer> Lamps;
+  std::unique_ptr<LampPreview> Preview;
 
   vtkSmartPointer<vtkHeightFieldShading> Shading;
   vtkSmartPointer<vtkImageData> Output;
   double Exposure = 0.0;
   Rgb SkyRadiance{ {} };
+  Rgb GroundLight{ {} };
   PassTimes Times;
 };
 

@@ -4,6 +4,8 @@
 #include "../Failure.h"
 #include "../Passes.h"
 #include "../TerrainActors.h"
+#include "SkyDome.h"
+#include "ToneMap.h"
 
 #include "vtkCameraPass.h"
 #include "vtkFloatArray.h"
@@ -79,9 +81,9 @@ protected:
 vtkStandardNewMacro(FloatPass);
 
 // The brightest channel of lit terrain and sky; 1 where all is dark.
-float PeakOf(vtkImageData* lit, const skyline::Rgb& sky)
+float PeakOf(vtkImageData* lit, const skyline::SkyImage& sky)
 {
-  float peak = std::max({ sky[0], sky[1], sky[2] });
+  float peak = sky.Peak();
   auto* radiance = vtkFloatArray::SafeDownCast(lit->GetPointData()->GetArray("Radiance"));
   for (vtkIdType k = 0; radiance && k < radiance->GetNumberOfValues(); ++k)
   {
@@ -135,29 +137,23 @@ void WritePng(vtkRenderWindow* window, const std::string& file)
 }
 
 void WriteExr(vtkRenderWindow* window, vtkRenderer* renderer, vtkSoftShadowShader* shader,
-  const Rgb& sky, const std::string& file)
+  SkyDome& sky, const std::string& file)
 {
   // The shader makes codes of light up to 1; as floats they keep it, so the brightest becomes 1.
-  const float peak = PeakOf(shader->GetHeightField(), sky);
+  const float peak = PeakOf(shader->GetHeightField(), sky.GetSky());
   vtkNew<vtkOpaquePass> opaque;
   vtkNew<vtkCameraPass> camera;
   camera->SetDelegatePass(opaque);
   vtkNew<FloatPass> pass;
   pass->SetDelegatePass(camera);
   const double exposure = shader->GetExposure();
-  double background[3];
-  renderer->GetBackground(background);
   shader->SetExposure(ShaderExposure(-std::log2(peak)));
   shader->ToneMappingOff();
-  renderer->GradientBackgroundOff();
-  renderer->SetBackground(
-    EncodeSrgb(sky[0] / peak), EncodeSrgb(sky[1] / peak), EncodeSrgb(sky[2] / peak));
+  sky.DevelopLinear(peak);
   renderer->SetPass(pass);
   window->Render();
   renderer->SetPass(nullptr);
   pass->ReleaseGraphicsResources(window);
-  renderer->SetBackground(background);
-  renderer->GradientBackgroundOn();
   shader->ToneMappingOn();
   shader->SetExposure(exposure);
   float* light = pass->Pixels->GetPointer(0);

@@ -3,8 +3,6 @@
 #ifndef skyline_Screenshot_h
 #define skyline_Screenshot_h
 
-#include "ToneMap.h"
-
 #include <string>
 
 class vtkRenderWindow;
@@ -14,16 +12,18 @@ class vtkSoftShadowShader;
 namespace skyline
 {
 
+class SkyDome;
+
 /// The first of skyline-1.png, skyline-2.png ... in the folder that is not there yet.
 std::string FreeName(const std::string& folder, const std::string& extension);
 
 /// The window's picture as it was drawn last, as a PNG. Throws Failure.
 void WritePng(vtkRenderWindow* window, const std::string& file);
 
-/// The renderer's view in linear light, before exposure and tone curve, as OpenEXR of 32-bit floats;
-/// where there is no terrain: `sky`. Draws it. Throws Failure.
+/// The renderer's view in linear light, before exposure and tone curve, as OpenEXR of 32-bit floats,
+/// the sky without its sun's disc. Draws it. Throws Failure.
 void WriteExr(vtkRenderWindow* window, vtkRenderer* renderer, vtkSoftShadowShader* shader,
-  const Rgb& sky, const std::string& file);
+  SkyDome& sky, const std::string& file);
 
 } // namespace skyline
 

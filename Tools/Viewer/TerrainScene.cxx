@@ -71,6 +71,7 @@ TerrainScene::TerrainScene(vtkImageData* heights)
   , CoarseMesh(this->MakeMeshActors(CoarsePosts))
 {
   this->SetCoarse(false);
+  this->Sky = std::make_unique<SkyDome>(this->Renderer); // last: most of it is hidden
 }
 
 TerrainScene::Mesh TerrainScene::MakeMeshActors(double posts)
@@ -114,18 +115,15 @@ vtkSoftShadowShader* TerrainScene::GetShader() const
   return this->Mapper->GetShader();
 }
 
-void TerrainScene::SetLight(vtkImageData* lit, const Rgb& sky)
+void TerrainScene::SetLight(vtkImageData* lit)
 {
   this->GetShader()->SetHeightField(lit);
-  this->Sky = sky;
-  PaintSky(this->Renderer, this->Sky, this->Stops);
 }
 
 void TerrainScene::SetExposure(double stops)
 {
   this->Stops = stops;
   this->GetShader()->SetExposure(ShaderExposure(stops));
-  PaintSky(this->Renderer, this->Sky, this->Stops);
 }
 
 void TerrainScene::SetExaggeration(double factor)
@@ -180,20 +178,22 @@ void TerrainScene::SetLamps(const std::vector<ViewerLamp>& lamps)
 
 void TerrainScene::Prepare()
 {
-  const double least = 0.5 * LeastLampPixels * this->GetMetresAPixel();
   for (std::size_t k = 0; k < this->Lamps.size(); ++k)
   {
     const ViewerLamp& lamp = this->Lamps[k];
     const ScenePoint center = this->CenterOf(lamp);
     const double peak = std::max({ lamp.Radiance[0], lamp.Radiance[1], lamp.Radiance[2], 1.0e-30 });
     this->Balls[k]->SetPosition(center[0], center[1], center[2]);
-    this->Balls[k]->SetScale(std::max(lamp.Radius, least));
+    this->Balls[k]->SetScale(
+      std::max(lamp.Radius, 0.5 * LeastLampPixels * this->MetresAPixelAt(center)));
     vtkProperty* look = this->Balls[k]->GetProperty();
     look->SetColor(EncodeSrgb(static_cast<float>(lamp.Radiance[0] / peak)),
       EncodeSrgb(static_cast<float>(lamp.Radiance[1] / peak)),
       EncodeSrgb(static_cast<float>(lamp.Radiance[2] / peak)));
   }
   this->Renderer->ResetCameraClippingRange();
+  this->Sky->Develop(this->Stops);
+  this->Sky->Surround();
 }
 
 void TerrainScene::ResetCamera(double azimuth, double elevation, double aspect)
@@ -217,6 +217,19 @@ bool TerrainScene::FindPlace(double x, double y, ScenePoint& place) const
 {
   return FindGround(this->Heights, this->Exaggeration, Unproject(this->Renderer, x, y, 0.0),
     Unproject(this->Renderer, x, y, 1.0), place);
+}
+
+ScenePoint TerrainScene::GetDirection(double x, double y) const
+{
+  const double* eye = this->Renderer->GetActiveCamera()->GetPosition();
+  ScenePoint look = Unproject(this->Renderer, x, y, 0.5);
+  double length = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    look[k] -= eye[k];
+    length = std::hypot(length, look[k]);
+  }
+  return { { look[0] / length, look[1] / length, look[2] / length } };
 }
 
 std::size_t TerrainScene::FindLamp(double x, double y, double reach) const
@@ -257,12 +270,27 @@ double TerrainScene::GetHeading() const
   return heading < 0.0 ? heading + 360.0 : heading;
 }
 
-double TerrainScene::GetMetresAPixel() const
+double TerrainScene::MetresAPixelAt(const ScenePoint& place) const
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
+  const double* eye = camera->GetPosition();
+  const double* look = camera->GetDirectionOfProjection();
+  const double depth =
+    (place[0] - eye[0]) * look[0] + (place[1] - eye[1]) * look[1] + (place[2] - eye[2]) * look[2];
   const int* size = this->Renderer->GetSize();
-  return 2.0 * camera->GetDistance() * std::tan(0.5 * camera->GetViewAngle() * RadiansPerDegree) /
+  return 2.0 * std::max(depth, 0.0) * std::tan(0.5 * camera->GetViewAngle() * RadiansPerDegree) /
     std::max(size[1], 1);
+}
+
+double TerrainScene::GetMetresAPixel() const
+{
+  const int* size = this->Renderer->GetSize();
+  ScenePoint place;
+  if (!this->FindPlace(0.5 * size[0], 0.5 * size[1], place))
+  {
+    this->Renderer->GetActiveCamera()->GetFocalPoint(place.data());
+  }
+  return this->MetresAPixelAt(place);
 }
 
 } // namespace skyline

@@ -4,12 +4,13 @@
 #define skyline_TerrainScene_h
 
 #include "HeightRay.h"
+#include "SkyDome.h"
 #include "ToneMap.h"
 #include "ViewerState.h"
 
 #include "vtkSmartPointer.h"
 
-#include <string>
+#include <memory>
 #include <vector>
 
 class vtkActor;
@@ -37,7 +38,8 @@ public:
   vtkSoftShadowShader* GetShader() const;
 
   /// What vtkHeightFieldShading made of these heights, or of some of their posts.
-  void SetLight(vtkImageData* lit, const Rgb& sky);
+  void SetLight(vtkImageData* lit);
+  SkyDome& GetSky() { return *this->Sky; }
   void SetExposure(double stops);
   void SetExaggeration(double factor);
   void SetCoarse(bool coarse);
@@ -47,11 +49,14 @@ public:
   /// All of the terrain in the picture, seen from azimuth and elevation in degrees.
   void ResetCamera(double azimuth, double elevation, double aspect);
 
-  /// Before drawing: lamps and depth as the camera sees them.
+  /// Before drawing: lamps, sky and depth as the camera sees them.
   void Prepare();
 
   /// The ground under a pixel; false beside it.
   bool FindPlace(double x, double y, ScenePoint& place) const;
+
+  /// The unit vector in which the camera sees a pixel.
+  ScenePoint GetDirection(double x, double y) const;
 
   /// The lamp under a pixel, or the number of lamps; `reach` in pixels around its middle.
   std::size_t FindLamp(double x, double y, double reach) const;
@@ -59,12 +64,11 @@ public:
   /// The pixel of the ground under a lamp.
   ScenePoint GetFoot(const ViewerLamp& lamp) const;
 
-  const Rgb& GetSky() const { return this->Sky; } ///< radiance
-
   /// Degrees clockwise from grid north, in which the camera looks.
   double GetHeading() const;
 
-  /// Metres that a pixel in the middle of the picture shows across.
+  /// Metres across that a pixel shows of the ground in the middle of the picture, or, beside the
+  /// ground, at the camera's focus.
   double GetMetresAPixel() const;
 
 private:
@@ -75,6 +79,7 @@ private:
   };
   Mesh MakeMeshActors(double posts);
   ScenePoint CenterOf(const ViewerLamp& lamp) const;
+  double MetresAPixelAt(const ScenePoint& place) const;
 
   vtkSmartPointer<vtkImageData> Heights;
   vtkSmartPointer<vtkRenderer> Renderer;
@@ -82,7 +87,7 @@ private:
   Mesh FineMesh, CoarseMesh;
   std::vector<vtkSmartPointer<vtkActor>> Balls;
   std::vector<ViewerLamp> Lamps;
-  Rgb Sky{ {} };
+  std::unique_ptr<SkyDome> Sky;
   double Stops = 0.0;
   double Exaggeration = 1.0;
   bool Coarse = false;

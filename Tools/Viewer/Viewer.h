@@ -4,23 +4,22 @@
 #define skyline_Viewer_h
 
 #include "../Files.h"
-#include "../Lights.h"
 #include "../Options.h"
 #include "Hud.h"
 #include "HudLayout.h"
 #include "LitTerrain.h"
 #include "TerrainScene.h"
+#include "ViewerLights.h"
+#include "ViewerMouse.h"
 #include "ViewerState.h"
 
 #include "vtkSmartPointer.h"
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
-class vtkGenericRenderWindowInteractor;
 class vtkRenderWindow;
 
 namespace skyline
@@ -83,56 +82,36 @@ public:
   std::string GetTitle() const;                             ///< for the window
 
 private:
-  enum class Drag
-  {
-    None,
-    Camera,
-    Slider,
-    Sun,
-    Lamp,
-    LampHeight
-  };
-
   void Open(const TerrainOptions& terrain);
-  void SetClock();
-  void TakeLights();
-  vtkSmartPointer<vtkSkylineEnvironmentLight> EnvironmentOf(const std::string& name);
-  void ConnectCamera();
   void AddLampUnderMouse();
-  void MoveSlider();
-  TerrainLight MakeLight() const;
-  std::string LightKey() const; ///< all of the light but for the exaggeration
+  void Changed();
+  void Say(const std::string& text);
+
   bool Compute(LitTerrain& terrain, bool exact);
-  double Stops() const;
+  void ShowSky(const TerrainLight& light, const LitTerrain& terrain);
   void Paint(bool coarse);
   void Shoot();
-  HudContent MakeHud() const;
-  void Say(const std::string& text);
+  HudContent MakeHud();
 
   ViewerOptions Options;
   Talk Told;
   vtkSmartPointer<vtkRenderWindow> Window;
-  vtkSmartPointer<vtkGenericRenderWindowInteractor> Interactor;
   ViewerState State;
 
   // The terrain and its light.
-  Center Middle;
+  ViewerLights Lights;
   std::unique_ptr<TerrainScene> Scene;
   std::unique_ptr<LitTerrain> Full;
   std::unique_ptr<LitTerrain> Small; ///< null: Full is small enough
-  std::map<std::string, vtkSmartPointer<vtkSkylineEnvironmentLight>> Environments;
-  Rgb MeasuredSun{ { 1, 1, 1 } };
-  std::string Lit; ///< LightKey of the light shown
+  std::string Lit;                   ///< ViewerLights::Key of the light shown
+  std::string SkyShown;              ///< SkyImageKey
   double LitExaggeration = 1.0;
-  double AutomaticStops = 0.0;
   bool Exact = false;
 
   // The window.
   Hud Display;
   HudLayout Layout;
   HudContent Shown;
-  int Width = 0, Height = 0;
-  double Scale = 1.0;
   bool Away = false;
   bool Leaving = false;
   ViewerWish Shot = ViewerWish::Nothing; ///< due with the next picture
@@ -145,15 +124,7 @@ private:
   double FineSeconds = 1.0e9; ///< that the last fine picture took to draw
   std::string Message;
 
-  // The mouse.
-  double MouseX = 0.0, MouseY = 0.0;
-  Drag Dragging = Drag::None;
-  MouseButton DragButton = MouseButton::Left;
-  Modifiers DragWith;
-  std::size_t DragSlider = 0;
-  double DragX = 0.0, DragY = 0.0;
-  ViewerState DragStart;
-
+  ViewerMouse Mouse;
   PassTimes LightTimes, Times;
 };
 

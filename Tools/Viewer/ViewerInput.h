@@ -53,7 +53,7 @@ inline const char* ViewerHelp()
          "drag a lamp         move it; with the right button: up, down\n"
          "[ ]  , .  Delete    the lamp chosen last: darker, brighter; smaller, larger; away\n"
          "X, Shift + X        heights times 1.25, over 1.25\n"
-         "- =                 darker, brighter picture\n"
+         "- =  A              darker, brighter picture; exposure fixed as it is, automatic\n"
          "C                   next colours of heights\n"
          "P, Shift + P        screenshot as PNG, as EXR (linear light)\n"
          "T                   frame times\n"

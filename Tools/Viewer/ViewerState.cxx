@@ -17,7 +17,7 @@ constexpr double HeightFactor = 1.25;
 constexpr double LampFactor = 1.25;
 constexpr double StopsAStep = 1.0 / 3.0;
 constexpr double GreatestStops = 12.0;
-constexpr double LowestSun = -10.0;    // degrees: night
+constexpr double LowestSun = -20.0;    // degrees: night
 constexpr double HighestSun = 90.0;    // degrees
 constexpr double SecondsOfADay = 30.0; // animated
 constexpr double SunnyHalf = 0.5 * (HighestSun - LowestSun);
@@ -138,6 +138,10 @@ ViewerWish ViewerState::Press(int key, const Modifiers& with)
     case '+':
       this->Exposure = std::clamp(
         this->Exposure + (key == '-' ? -StopsAStep : StopsAStep), -GreatestStops, GreatestStops);
+      return ViewerWish::Changed;
+    case 'A':
+      this->FixedStops = this->AutoExposure ? this->MeteredStops : this->FixedStops;
+      this->AutoExposure = !this->AutoExposure;
       return ViewerWish::Changed;
     case 'C':
       this->Colors = (this->Colors + 1) % this->ColorCount;

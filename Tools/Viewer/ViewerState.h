@@ -70,7 +70,10 @@ struct ViewerState
   std::size_t Chosen = 0; ///< lamp; Lamps.size() or more: none
 
   double Exaggeration = 1.0;
-  double Exposure = 0.0; ///< stops beside the automatic exposure
+  bool AutoExposure = true;
+  double MeteredStops = 0.0; ///< the automatic exposure of what is shown
+  double FixedStops = 0.0;   ///< the other one
+  double Exposure = 0.0;     ///< stops beside either
   std::size_t Colors = 0;
   std::size_t ColorCount = 1;
 
@@ -90,6 +93,12 @@ struct ViewerState
 
   /// Adds a sky, once, and makes it the present one.
   void TakeSky(const std::string& name);
+
+  /// The exposure of the picture.
+  double Stops() const
+  {
+    return (this->AutoExposure ? this->MeteredStops : this->FixedStops) + this->Exposure;
+  }
 
   void AddLamp(const ViewerLamp& lamp);
   bool HasChosen() const { return this->Chosen < this->Lamps.size(); }

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The sky behind the terrain, where the light says it is.
+#ifndef skyline_SkyDome_h
+#define skyline_SkyDome_h
+
+#include "SkyImage.h"
+#include "ToneMap.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkActor;
+class vtkDataArray;
+class vtkFloatArray;
+class vtkRenderer;
+class vtkTexture;
+
+namespace skyline
+{
+
+/// A sphere around the camera, behind everything, with the sky as its texture, and the sun's disc.
+class SkyDome
+{
+public:
+  /// A formula's sky is shown at most so bright, on the mean: a photographer's graduated filter,
+  /// without which it would be white where the sky is the only light.
+  static constexpr float BrightestLevel = 0.5f;
+
+  /// Adds itself to the renderer, behind nothing yet.
+  explicit SkyDome(vtkRenderer* renderer);
+
+  void SetSky(SkyImage sky);
+  void SetRotation(double degrees); ///< clockwise, of the sky but not of the sun
+
+  /// The sun's disc in a direction (degrees from grid north, degrees up), or none.
+  void SetSun(bool on, double azimuth, double elevation, double radius);
+
+  /// The picture at an exposure in stops, tone-mapped.
+  void Develop(double stops);
+
+  /// The codes of light over `peak`, as floats without a tone curve and without the sun's disc, until
+  /// Develop.
+  void DevelopLinear(float peak);
+
+  const SkyImage& GetSky() const { return this->Sky; }
+
+  /// Around the renderer's camera, whose far plane it moves back; after the near and far plane have
+  /// been set for everything else.
+  void Surround();
+
+private:
+  void Show(vtkDataArray* pixels);
+
+  vtkRenderer* Renderer;
+  SkyImage Sky;
+  double Stops = 0.0;
+  bool Developed = false;
+  bool SunOn = false;
+  double SunAzimuth = 0.0, SunElevation = 0.0, SunRadius = 0.0;
+  vtkSmartPointer<vtkActor> Dome, Sun;
+  vtkSmartPointer<vtkFloatArray> Places; ///< of the sphere's corners in the texture
+  vtkSmartPointer<vtkTexture> Texture;
+};
+
+} // namespace skyline
+
+#endif

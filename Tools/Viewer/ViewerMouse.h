@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the mouse drags: camera, sliders, sun, lamps.
+#ifndef skyline_ViewerMouse_h
+#define skyline_ViewerMouse_h
+
+#include "HudLayout.h"
+#include "TerrainScene.h"
+#include "ViewerState.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkGenericRenderWindowInteractor;
+class vtkRenderWindow;
+
+namespace skyline
+{
+
+/// Pixels of the framebuffer, origin lower left. One thing is dragged at a time, by the button that
+/// took it.
+class ViewerMouse
+{
+public:
+  ~ViewerMouse();
+
+  /// The scene to work on, which must live until the next one comes.
+  void SetScene(TerrainScene* scene, vtkRenderWindow* window);
+
+  void Resize(int width, int height);
+
+  /// The mouse is at a place; true if that changed the state or the camera.
+  bool Move(double x, double y, ViewerState& state, const HudLayout& layout);
+
+  void Press(
+    MouseButton button, const Modifiers& with, ViewerState& state, const HudLayout& layout);
+  void Release(MouseButton button);
+
+  /// Nearer, or back.
+  void Wheel(double steps);
+
+  double GetX() const { return this->X; }
+  double GetY() const { return this->Y; }
+
+private:
+  enum class Drag
+  {
+    None,
+    Camera,
+    Slider,
+    Sun,
+    Lamp,
+    LampHeight
+  };
+
+  void TellCamera(unsigned long event);
+  void MoveSlider(ViewerState& state, const HudLayout& layout) const;
+  void MoveLamp(double rise, ViewerState& state) const;
+
+  TerrainScene* Scene = nullptr;
+  vtkSmartPointer<vtkGenericRenderWindowInteractor> Interactor;
+  double X = 0.0, Y = 0.0;
+  Drag Dragging = Drag::None;
+  MouseButton Button = MouseButton::Left;
+  Modifiers With;
+  std::size_t Slider = 0;
+  double StartX = 0.0, StartY = 0.0; ///< where the drag began; of a lamp: its foot beside the mouse
+  ViewerState Start;
+};
+
+} // namespace skyline
+
+#endif
