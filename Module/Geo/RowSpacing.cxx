@@ -26,6 +26,16 @@ void CheckSteps(double x, double y)
   }
 }
 
+/// What no lattice on a body has: steps about half of it, between whose ends the shorter way is another.
+void CheckDegrees(double x, double y)
+{
+  if (x > 180.0 || y > 180.0)
+  {
+    throw std::invalid_argument("steps of " + std::to_string(x) + " x " + std::to_string(y) +
+      " degrees lead around the body; correct the file's geotransform");
+  }
+}
+
 /// Whole posts that span at least `shortest`.
 double Posts(double step, double shortest)
 {
@@ -118,6 +128,10 @@ PostSpacing ComputeRowSpacing(
   Georeference& place, double nominalX, double nominalY, bool nominalInDegrees)
 {
   CheckSteps(nominalX, nominalY);
+  if (nominalInDegrees)
+  {
+    CheckDegrees(nominalX, nominalY);
+  }
   place.RowSpacingX.clear();
   place.RowSpacingY.clear();
   const PostSpacing nominal{ nominalX, nominalY };
@@ -136,8 +150,10 @@ PostSpacing ComputeRowSpacing(
   const Ruler ruler(place);
   const auto measure = [&](double row)
   {
-    return nominalInDegrees ? ruler.Geographic(row, nominalX, nominalY)
-                            : ruler.Projected(row, nominalX, nominalY);
+    const PostSpacing found = nominalInDegrees ? ruler.Geographic(row, nominalX, nominalY)
+                                               : ruler.Projected(row, nominalX, nominalY);
+    CheckSteps(found.X, found.Y); // too small for double, or a map without an inverse here
+    return found;
   };
   const PostSpacing centre = measure(0.5 * static_cast<double>(place.Rows - 1));
 

@@ -184,6 +184,16 @@ TEST(RowSpacing, RefusesSteps)
   }
 }
 
+// Found by a fuzzer: after a whole turn the next post is 0 m away.
+TEST(RowSpacing, RefusesStepsAroundTheBodyOrTooSmallToMeasure)
+{
+  for (const double step : { 200.0, 360.0, 720.0, 1e-320 })
+  {
+    Georeference place = OnMap(Geographic, 0.0, 0.0, step, 0.1, 3, 3);
+    EXPECT_THROW(ComputeRowSpacing(place, step, 0.1, true), std::invalid_argument) << step;
+  }
+}
+
 TEST(RowBands, CoverAllRowsWithinTheTolerance)
 {
   Georeference place = OnMap(Geographic, 5.0, 0.0, 0.05, 0.05, 11, 1201);
