@@ -4,25 +4,40 @@
 #include "vtkSoftShadowShader.h"
 
 #include "vtkActor.h"
-#include "vtkCompositeMapperHelper2.h"
+#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexBufferObject.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkTexture.h"
 
 #include <algorithm>
 
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#include "vtkOpenGLBatchedPolyDataMapper.h"
+#include "vtkOpenGLCompositePolyDataMapperDelegator.h"
+#else
+#include "vtkCompositeMapperHelper2.h"
+#endif
+
 namespace
 {
 
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+using HelperBase = vtkOpenGLBatchedPolyDataMapper;
+#else
+using HelperBase = vtkCompositeMapperHelper2;
+#endif
+
 // Draws the blocks that share a vertex buffer.
-class SoftShadowHelper : public vtkCompositeMapperHelper2
+class SoftShadowHelper : public HelperBase
 {
 public:
   static SoftShadowHelper* New();
-  vtkTypeMacro(SoftShadowHelper, vtkCompositeMapperHelper2);
+  vtkTypeMacro(SoftShadowHelper, HelperBase);
 
   vtkSoftShadowShader* Shader() const
   {
@@ -65,6 +80,50 @@ private:
 
 vtkStandardNewMacro(SoftShadowHelper);
 
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+// Puts the helper in the place of VTK's own.
+class SoftShadowDelegator : public vtkOpenGLCompositePolyDataMapperDelegator
+{
+public:
+  static SoftShadowDelegator* New();
+  vtkTypeMacro(SoftShadowDelegator, vtkOpenGLCompositePolyDataMapperDelegator);
+
+  void ShallowCopy(vtkCompositePolyDataMapper* mapper) override
+  {
+    this->Superclass::ShallowCopy(mapper);
+    this->GLDelegate->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::ALWAYS_AUTO_SHIFT_SCALE);
+  }
+
+protected:
+  SoftShadowDelegator()
+  {
+    this->GLDelegate = SoftShadowHelper::New();
+    this->Delegate.TakeReference(this->GLDelegate);
+  }
+  ~SoftShadowDelegator() override = default;
+
+private:
+  SoftShadowDelegator(const SoftShadowDelegator&) = delete;
+  void operator=(const SoftShadowDelegator&) = delete;
+};
+
+vtkStandardNewMacro(SoftShadowDelegator);
+#endif
+
+bool IsLinear(vtkTexture* texture)
+{
+  return texture && texture->GetUseSRGBColorSpace();
+}
+
+// Whether a texture of the actor's is turned into linear light by OpenGL.
+bool HasLinearTexture(vtkActor* actor)
+{
+  const auto& textures = actor->GetProperty()->GetAllTextures();
+  return IsLinear(actor->GetTexture()) ||
+    std::any_of(textures.begin(), textures.end(),
+      [](const auto& texture) { return IsLinear(texture.second); });
+}
+
 } // namespace
 
 vtkStandardNewMacro(vtkSoftShadowCompositeMapper);
@@ -103,11 +162,13 @@ void vtkSoftShadowCompositeMapper::Render(vtkRenderer* renderer, vtkActor* actor
   {
     return; // nothing delivered to this process
   }
-  const auto textures = this->GetTextures(actor);
-  this->Shader->SetLinearTextures(std::any_of(textures.begin(), textures.end(),
-    [](const auto& texture) { return texture.first && texture.first->GetUseSRGBColorSpace(); }));
+  this->Shader->SetLinearTextures(HasLinearTexture(actor));
   this->Shader->SetLinearFramebuffer(window->GetUsingSRGBColorSpace());
-  const std::string reason = this->Shader->Prepare(window);
+  std::string reason = this->Shader->Prepare(window);
+  if (!reason.empty() && this->Shader->GetHeightField()->GetPointData()->GetNumberOfArrays() == 0)
+  {
+    reason += "; the filters Irradiance, Transfer and Visibility make light to show";
+  }
   if (reason != this->Reported && !reason.empty())
   {
     vtkErrorMacro(<< reason);
@@ -127,17 +188,24 @@ void vtkSoftShadowCompositeMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
+// Far from the origin the places in the textures need all digits that a float has.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+vtkCompositePolyDataMapperDelegator* vtkSoftShadowCompositeMapper::CreateADelegator()
+{
+  return SoftShadowDelegator::New();
+}
+#else
 vtkCompositeMapperHelper2* vtkSoftShadowCompositeMapper::CreateHelper()
 {
   return SoftShadowHelper::New();
 }
 
-// Far from the origin the places in the textures need all digits that a float has.
 void vtkSoftShadowCompositeMapper::CopyMapperValuesToHelper(vtkCompositeMapperHelper2* helper)
 {
   this->Superclass::CopyMapperValuesToHelper(helper);
   helper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::ALWAYS_AUTO_SHIFT_SCALE);
 }
+#endif
 
 void vtkSoftShadowCompositeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {

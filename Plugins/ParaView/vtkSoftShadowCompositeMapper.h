@@ -10,18 +10,28 @@
 #define vtkSoftShadowCompositeMapper_h
 
 #include "SkylineParaViewModule.h" // For export macro
-#include "vtkCompositePolyDataMapper2.h"
-#include "vtkSmartPointer.h" // For Shader
+#include "vtkSmartPointer.h"       // For Shader
+#include "vtkVersionMacros.h"
 
 #include <string> // For Reported
 
+// ParaView 5.12 and later batch the blocks by another class of VTK than 5.11.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#include "vtkCompositePolyDataMapper.h"
+using vtkSoftShadowCompositeBase = vtkCompositePolyDataMapper;
+#else
+#include "vtkCompositePolyDataMapper2.h"
+using vtkSoftShadowCompositeBase = vtkCompositePolyDataMapper2;
+class vtkCompositeMapperHelper2;
+#endif
+
 class vtkSoftShadowShader;
 
-class SKYLINEPARAVIEW_EXPORT vtkSoftShadowCompositeMapper : public vtkCompositePolyDataMapper2
+class SKYLINEPARAVIEW_EXPORT vtkSoftShadowCompositeMapper : public vtkSoftShadowCompositeBase
 {
 public:
   static vtkSoftShadowCompositeMapper* New();
-  vtkTypeMacro(vtkSoftShadowCompositeMapper, vtkCompositePolyDataMapper2);
+  vtkTypeMacro(vtkSoftShadowCompositeMapper, vtkSoftShadowCompositeBase);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -38,8 +48,12 @@ protected:
   vtkSoftShadowCompositeMapper();
   ~vtkSoftShadowCompositeMapper() override;
 
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  vtkCompositePolyDataMapperDelegator* CreateADelegator() override;
+#else
   vtkCompositeMapperHelper2* CreateHelper() override;
   void CopyMapperValuesToHelper(vtkCompositeMapperHelper2* helper) override;
+#endif
 
 private:
   vtkSmartPointer<vtkSoftShadowShader> Shader;

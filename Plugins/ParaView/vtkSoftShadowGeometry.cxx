@@ -118,8 +118,17 @@ int vtkSoftShadowGeometry::RequestData(
   surface->Update();
   output->ShallowCopy(surface->GetOutput());
   PassPoints(image, output);
+  int mode = this->Mode;
+  if (mode == AUTOMATIC)
+  {
+    vtkPointData* there = image->GetPointData();
+    mode = there->HasArray("Irradiance") ? vtkSoftShadowShader::IRRADIANCE
+      : there->HasArray("TransferSH")    ? vtkSoftShadowShader::TRANSFER
+      : there->HasArray("VisibilitySH")  ? vtkSoftShadowShader::VISIBILITY
+                                         : vtkSoftShadowShader::IRRADIANCE;
+  }
   std::vector<std::string> arrays;
-  switch (this->Mode)
+  switch (mode)
   {
     case vtkSoftShadowShader::TRANSFER:
       arrays = { "TransferSH" };

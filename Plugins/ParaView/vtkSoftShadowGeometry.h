@@ -23,6 +23,8 @@ public:
   vtkTypeMacro(vtkSoftShadowGeometry, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  static constexpr int AUTOMATIC = -1;
+
   ///@{
   /// Name of the point array with the heights; default empty: Elevation, or else the active scalars.
   vtkSetMacro(ElevationArray, std::string);
@@ -38,7 +40,8 @@ public:
   ///@}
 
   ///@{
-  /// Which light to pack, see vtkSoftShadowShader::ModeType; default IRRADIANCE.
+  /// Which light to pack, see vtkSoftShadowShader::ModeType; default AUTOMATIC: the first of
+  /// Irradiance, TransferSH and VisibilitySH that is there.
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
   ///@}
@@ -54,7 +57,7 @@ protected:
   std::string ElevationArray;
   double Exaggeration = 1.0;
   int Stride = 1;
-  int Mode = 0;
+  int Mode = AUTOMATIC;
 
 private:
   vtkSoftShadowGeometry(const vtkSoftShadowGeometry&) = delete;

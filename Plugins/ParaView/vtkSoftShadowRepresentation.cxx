@@ -67,10 +67,20 @@ double ExposureOf(vtkDataArray* irradiance)
   return ExposureOf(static_cast<double>(*place));
 }
 
+// The light that was packed.
+int ModeOf(vtkImageData* image)
+{
+  vtkPointData* light = image ? image->GetPointData() : nullptr;
+  return light && light->HasArray("TransferSH") ? vtkSoftShadowShader::TRANSFER
+    : light && light->HasArray("VisibilitySH")  ? vtkSoftShadowShader::VISIBILITY
+                                                : vtkSoftShadowShader::IRRADIANCE;
+}
+
 } // namespace
 
 vtkSoftShadowRepresentation::vtkSoftShadowRepresentation()
   : Geometry(vtkSoftShadowGeometry::New())
+  , LightMode(vtkSoftShadowGeometry::AUTOMATIC)
 {
   this->GeometryFilter->Delete();
   this->GeometryFilter = this->Geometry;
@@ -107,7 +117,7 @@ void vtkSoftShadowRepresentation::SetStride(int posts)
 
 void vtkSoftShadowRepresentation::SetLightMode(int mode)
 {
-  this->Shader->SetMode(mode);
+  this->LightMode = mode;
   this->Geometry->SetMode(mode);
   this->MarkModified();
 }
@@ -158,6 +168,8 @@ void vtkSoftShadowRepresentation::UpdateLight()
   {
     const auto image = skyline::UnpackLight(data);
     this->Shader->SetHeightField(image);
+    this->Shader->SetMode(
+      this->LightMode == vtkSoftShadowGeometry::AUTOMATIC ? ModeOf(image) : this->LightMode);
     this->ArrayExposure = image ? ExposureOf(image->GetPointData()->GetArray("Irradiance")) : 0.0;
     this->LightOf = data;
     this->LightTime = data ? data->GetMTime() : 0;

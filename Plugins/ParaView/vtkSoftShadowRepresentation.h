@@ -33,7 +33,8 @@ public:
   void SetStride(int posts);
   ///@}
 
-  /// Where light comes from, see vtkSoftShadowShader::ModeType; default IRRADIANCE.
+  /// Where light comes from, see vtkSoftShadowShader::ModeType; default
+  /// vtkSoftShadowGeometry::AUTOMATIC.
   void SetLightMode(int mode);
 
   ///@{
@@ -74,6 +75,7 @@ private:
 
   vtkSoftShadowGeometry* Geometry; // the superclass owns it as its GeometryFilter
   vtkNew<vtkSoftShadowShader> Shader;
+  int LightMode;
   double KeyAzimuth = 315.0;
   double KeyElevation = 45.0;
   double KeyRadius = 0.27;

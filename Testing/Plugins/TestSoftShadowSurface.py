@@ -4,77 +4,21 @@ look at, and a state file."""
 import numpy as np
 from paraview import servermanager, simple
 from PluginTesting import OUTPUT, TIME, expect, fetch, filters, main, points, read_dem
-from paraview.vtk.vtkRenderingCore import vtkWindowToImageFilter
-from paraview.vtk.util.numpy_support import vtk_to_numpy
-
-# Mean difference in codes of 255: half a code by rounding, some at texels of steep light.
-CODES = 2.0
-
-
-def picture(view, name):
-    """The pixels of a view, rows from below; the file is written too."""
-    simple.Render(view)
-    simple.SaveScreenshot(f"{OUTPUT}/{name}.png", view, ImageResolution=list(view.ViewSize))
-    window = vtkWindowToImageFilter()
-    window.SetInput(view.GetRenderWindow())
-    window.ReadFrontBufferOff()
-    window.Update()
-    image = window.GetOutput()
-    columns, rows, _ = image.GetDimensions()
-    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1)[:, :, :3]
-
-
-def encode(light):
-    """Codes of linear light, 0 to 255."""
-    light = np.clip(light, 0.0, 1.0)
-    return 255.0 * np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
-
-
-def make_view(size):
-    """A view without decoration, on the background's code 10."""
-    view = simple.CreateView("RenderView")
-    view.ViewSize = size
-    view.OrientationAxesVisibility = 0
-    view.UseColorPaletteForBackground = 0
-    view.Background = [10 / 255.0] * 3
-    return view
-
-
-def look_down(view, image):
-    """A pixel a post."""
-    x0, x1, y0, y1, _, _ = image.GetBounds()
-    simple.Render(view)  # the first one places the camera
-    view.CameraParallelProjection = 1
-    view.CameraFocalPoint = [0.5 * (x0 + x1), 0.5 * (y0 + y1), 0.0]
-    view.CameraPosition = [0.5 * (x0 + x1), 0.5 * (y0 + y1), 50000.0]
-    view.CameraViewUp = [0, 1, 0]
-    view.CameraParallelScale = 0.5 * image.GetDimensions()[1] * image.GetSpacing()[1]
-
-
-def show(light, view):
-    """Shows a source as Soft Shadow Surface, white."""
-    display = simple.Show(light, view)
-    display.SetRepresentationType("Soft Shadow Surface")
-    simple.ColorBy(display, None)
-    display.DiffuseColor = [1, 1, 1]
-    return display
+from SurfaceTesting import (
+    CODES, encode, make_view, morning, picture, show, show_plainly, show_transfer)
 
 
 def test_irradiance():
     """Irradiance, from above, is what the array says"""
-    light = filters["Irradiance"](Input=read_dem(), SunAzimuth=120.0, SunElevation=20.0,
-        SkyRadiance=[0.1, 0.13, 0.2], Azimuths=16)
+    light = morning(filters, read_dem())
     irradiance = points(light, "Irradiance")
     image = fetch(light)
     columns, rows, _ = image.GetDimensions()
     view = make_view([columns, rows])
-    display = show(light, view)
-    display.SkylineAutoExposure = 0
-    display.SkylineExposure = 1.0
-    display.SkylineToneMapping = 0
-    look_down(view, image)
+    display = show_plainly(light, view)
     found = picture(view, "irradiance-above")
     wanted = encode(2.0 * irradiance / np.pi).reshape(rows, columns, 3)
+    np.savez_compressed(OUTPUT + "/above.npz", codes=found)  # for several processes and a server
     inside = (slice(2, -2), slice(2, -2))
     error = np.nanmean(np.abs(found[inside].astype(float) - wanted[inside]))
     print(f"mean difference {error:.2f} codes")
@@ -95,14 +39,11 @@ def test_harmonics():
     columns, rows, _ = image.GetDimensions()
     coefficients = points(transfer, "TransferSH")
     view = make_view([columns, rows])
-    display = show(transfer, view)
-    display.SkylineLight = "Transfer (harmonics)"
-    display.SkylineSunIrradiance = [0, 0, 0]
-    display.SkylineSkyRadiance = [0.8, 0.8, 0.8]
-    display.SkylineAutoExposure = 0
-    display.SkylineToneMapping = 0
-    look_down(view, image)
-    found = picture(view, "transfer-sky")[2:-2, 2:-2]
+    display = show_transfer(transfer, view)
+    expect(display.SkylineLight == "Automatic", "without a word the light is what there is")
+    found = picture(view, "transfer-sky")
+    np.savez_compressed(OUTPUT + "/transfer.npz", codes=found)  # for several processes
+    found = found[2:-2, 2:-2]
     sky = 0.8 * coefficients[:, 0] * np.sqrt(4.0 * np.pi) / np.pi
     wanted = encode(sky).reshape(rows, columns)[2:-2, 2:-2]
     error = np.nanmean(np.abs(found[:, :, 0].astype(float) - wanted))
@@ -119,9 +60,12 @@ def test_harmonics():
     expect(time == again, "a moved sun takes no new transfer")
     visibility = filters["VisibilityHarmonics"](Input=transfer.Input)
     simple.Hide(transfer, view)
-    show(visibility, view).SkylineLight = "Visibility (harmonics)"
+    display = show(visibility, view)
+    by_itself = picture(view, "visibility-automatic")[2:-2, 2:-2]
+    display.SkylineLight = "Visibility (harmonics)"
     seen = picture(view, "visibility")[2:-2, 2:-2]
     expect(seen.std() > 10.0, "visibility is lit")
+    expect(np.array_equal(seen, by_itself), "the automatic light is the array's")
     simple.Delete(view)
 
 
