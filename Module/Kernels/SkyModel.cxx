@@ -140,7 +140,8 @@ SkyModel PerezSky(double direct, double diffuse, double sunElevation)
   };
   SkyModel sky;
   sky.A = plain(0);
-  sky.B = plain(1);
+  // Far from the weather that table 1 was fitted to, B rises above 0, and the horizon to infinity.
+  sky.B = std::min(plain(1), 0.0);
   sky.C = plain(2);
   sky.D = plain(3);
   sky.E = plain(4);

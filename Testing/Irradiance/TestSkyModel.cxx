@@ -111,6 +111,41 @@ TEST(SkyModel, PerezGetsTheIrradianceGiven)
   }
 }
 
+// Found by a fuzzer: direct light of noon over the diffuse light of dusk, with the sun on the horizon,
+// made the sky infinite.
+TEST(SkyModel, PerezIsFiniteInWeatherThatNeverWas)
+{
+  constexpr int width = 32, height = 16;
+  int skies = 0;
+  for (const double elevation : { 1e-6, 0.01, 1.0, 30.0, 90.0 })
+  {
+    for (const double direct : { 0.0, 1.0, 700.0, 1e6 })
+    {
+      for (const double diffuse : { 1e-3, 1.0, 42.0, 120.0, 1e6 })
+      {
+        std::vector<float> pixels(3 * width * height);
+        const double sun = elevation * RadiansPerDegree;
+        try
+        {
+          FillSky(PerezSky(direct, diffuse, sun), 1.0, sun, { true, diffuse }, width, height,
+            pixels.data());
+        }
+        catch (const std::invalid_argument&)
+        {
+          continue; // so far from all weather that nothing shines
+        }
+        ++skies;
+        for (const float pixel : pixels)
+        {
+          ASSERT_TRUE(std::isfinite(pixel) && pixel >= 0.0f)
+            << elevation << " degrees, " << direct << " and " << diffuse << " W/m2";
+        }
+      }
+    }
+  }
+  EXPECT_GT(skies, 50);
+}
+
 TEST(SkyModel, PerezChoosesByClearnessAndBrightness)
 {
   // By hand from Perez et al. 1993, table 1: sun at 30 degrees, direct 800, diffuse 100 W/m2. The
