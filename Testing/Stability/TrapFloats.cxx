@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Preloaded into any program (LD_PRELOAD), stops it at an invalid operation, an overflow or a division by
+// zero, in Skyline or in a library below it.
+#include "FloatGuard.h"
+
+namespace
+{
+
+[[maybe_unused]] const int Before =
+  feenableexcept(skyline::testing::FloatGuard::Watched); // threads inherit it
+
+} // namespace
