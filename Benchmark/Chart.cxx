@@ -156,11 +156,36 @@ struct Axis
   }
 };
 
-std::string DecadeText(int decade)
+std::string TickText(double value)
 {
-  return decade >= -3 && decade <= 4
-    ? Text("%g", std::pow(10.0, decade))
-    : Text("10<tspan dy=\"-4\" font-size=\"8\">%d</tspan>", decade);
+  const int decade = static_cast<int>(std::floor(std::log10(value) + 1e-9));
+  return decade >= -3 && decade <= 5 ? Text("%.10g", value)
+                                     : Text("%s10<tspan dy=\"-4\" font-size=\"8\">%d</tspan>",
+                                         value < 1.5 * std::pow(10.0, decade)
+                                           ? ""
+                                           : Text("%.0f·", value * std::pow(10.0, -decade)).c_str(),
+                                         decade);
+}
+
+// Powers of ten; on a short axis twice and five times them too.
+std::vector<double> TicksOf(const Axis& axis)
+{
+  const bool isShort = axis.Last - axis.First < 2.1; // decades
+  std::vector<double> ticks;
+  for (int decade = static_cast<int>(std::floor(axis.First)); decade <= axis.Last; ++decade)
+  {
+    for (const double step : { 1.0, 2.0, 5.0 })
+    {
+      const double value = step * std::pow(10.0, decade);
+      const double place = std::log10(value);
+      constexpr double slack = 1e-9;
+      if ((step == 1.0 || isShort) && place >= axis.First - slack && place <= axis.Last + slack)
+      {
+        ticks.push_back(value);
+      }
+    }
+  }
+  return ticks;
 }
 
 // The decades that the values fill, half a decade at each end to spare.
@@ -185,22 +210,34 @@ double EdgeOf(const std::vector<const Finding*>& findings)
   return 0.1 * least;
 }
 
-std::string DrawAxes(const Axis& x, const Axis& y, const Quantity& quantity)
+// edge: where what has no error stands; 0: nothing does.
+std::string DrawAxes(const Axis& x, const Axis& y, const Quantity& quantity, double edge)
 {
   std::string svg;
-  for (int decade = static_cast<int>(std::ceil(x.First)); decade <= x.Last; ++decade)
+  for (const double value : TicksOf(x))
   {
-    const double at = x(std::pow(10.0, decade));
+    const double at = x(value);
     svg += Text("<path d=\"M%.1f %.1fV%.1f\" class=\"grid\"/>", at, y.Begin, y.End);
     svg += Text("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">", at, y.Begin + 14.0) +
-      DecadeText(decade) + "</text>";
+      TickText(value) + "</text>";
   }
-  for (int decade = static_cast<int>(std::ceil(y.First)); decade <= y.Last; ++decade)
+  const auto across = [&](double value, const std::string& text)
   {
-    const double at = y(std::pow(10.0, decade));
+    const double at = y(value);
     svg += Text("<path d=\"M%.1f %.1fH%.1f\" class=\"grid\"/>", x.Begin, at, x.End);
     svg += Text("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">", x.Begin - 5.0, at + 4.0) +
-      DecadeText(decade) + "</text>";
+      text + "</text>";
+  };
+  for (const double value : TicksOf(y))
+  {
+    if (value > 4.0 * edge)
+    {
+      across(value, TickText(value));
+    }
+  }
+  if (edge > 0.0)
+  {
+    across(edge, "0");
   }
   svg += Text("<path d=\"M%.1f %.1fV%.1fH%.1f\" class=\"axis\"/>", x.Begin, y.End, y.Begin, x.End);
   svg += Text("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">%s</text>",
@@ -219,6 +256,7 @@ std::string TipOf(const Finding& finding)
 }
 
 const char* const Style = "svg text{font:11px system-ui,sans-serif;fill:currentColor}"
+                          "svg .label{paint-order:stroke;stroke:var(--card,#fff);stroke-width:4px}"
                           "svg .title{font-size:14px;font-weight:600}"
                           ".grid{stroke:currentColor;stroke-opacity:.13;fill:none}"
                           ".axis{stroke:currentColor;stroke-opacity:.6;fill:none}"
@@ -308,7 +346,9 @@ std::string DrawChart(const std::vector<const Finding*>& findings, const ChartSt
     svg += Text(
       "<text x=\"%.0f\" y=\"18\" class=\"title\">%s</text>", x.Begin, Escaped(style.Title).c_str());
   }
-  svg += DrawAxes(x, y, quantity);
+  const bool isZero = std::any_of(findings.begin(), findings.end(),
+    [](const Finding* finding) { return ErrorOf(*finding) < NoError; });
+  svg += DrawAxes(x, y, quantity, isZero ? edge : 0.0);
 
   const auto at = [&](const Finding& finding)
   { return std::pair(x(TimeOf(finding)), y(std::max(ErrorOf(finding), edge))); };
@@ -345,7 +385,8 @@ std::string DrawChart(const std::vector<const Finding*>& findings, const ChartSt
     const double from = right ? box.Left + 1.0
       : left                  ? box.Right - 1.0
                               : 0.5 * (box.Left + box.Right);
-    svg += Text("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", from, box.Bottom - 2.5,
+    svg += Text("<text class=\"label\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", from,
+             box.Bottom - 2.5,
              right    ? "start"
                : left ? "end"
                       : "middle") +

@@ -68,6 +68,10 @@ Result TimeUpdates(
   laps.Report(result, count);
   result.PrepareNs = result.SearchNs = NotMeasured;
   result.Threads = threads;
+  if (threads != 1) // the clock is that of this thread
+  {
+    result.TotalNs = result.TotalMedianNs = result.ColdNs = NotMeasured;
+  }
   result.Ran = true;
   return result;
 }

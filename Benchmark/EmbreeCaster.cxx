@@ -170,6 +170,22 @@ bool EmbreeCaster::Occluded(RTCRay ray, const oracle::Direction& direction, doub
   ray.dir_y = static_cast<float>(level * direction.North);
   ray.dir_z = static_cast<float>(std::sin(elevation * RadiansPerDegree));
   ray.tfar = std::numeric_limits<float>::infinity();
+  return this->Occluded(ray);
+}
+
+bool EmbreeCaster::Stops(
+  std::ptrdiff_t post, const std::array<double, 3>& direction, double end) const
+{
+  RTCRay ray = this->RayFrom(post);
+  ray.dir_x = static_cast<float>(direction[0]);
+  ray.dir_y = static_cast<float>(direction[1]);
+  ray.dir_z = static_cast<float>(direction[2]);
+  ray.tfar = static_cast<float>(end);
+  return this->Occluded(ray);
+}
+
+bool EmbreeCaster::Occluded(RTCRay& ray) const
+{
 #if SKYLINE_EMBREE >= 4
   rtcOccluded1(this->Mesh, &ray);
 #else

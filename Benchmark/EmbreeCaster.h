@@ -34,12 +34,17 @@ public:
   double Horizon(
     std::ptrdiff_t post, const oracle::Direction& direction, double before, double accuracy) const;
 
+  /// Whether terrain stops the ray from a post along a unit vector (east, north, up) within `end`
+  /// metres.
+  bool Stops(std::ptrdiff_t post, const std::array<double, 3>& direction, double end) const;
+
 private:
   std::array<float, 3> Place(std::ptrdiff_t post) const;
   void FillPosts(RTCGeometry geometry) const;
   void FillTriangles(RTCGeometry geometry) const;
   RTCRay RayFrom(std::ptrdiff_t post) const;
   bool Occluded(RTCRay ray, const oracle::Direction& direction, double elevation) const;
+  bool Occluded(RTCRay& ray) const;
 
   const oracle::OracleField& Field;
   double Base = 0.0; // metres, between the lowest and the highest post

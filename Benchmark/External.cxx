@@ -3,6 +3,7 @@
 
 #include "Measure.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -35,6 +36,14 @@ std::string FirstLine(const char* command)
     pclose(pipe);
   }
   return text.substr(0, text.find('\n'));
+}
+
+Cost& Cost::operator+=(const Cost& next)
+{
+  this->Cpu += next.Cpu;
+  this->Wall += next.Wall;
+  this->Bytes = std::max(this->Bytes, next.Bytes);
+  return *this;
 }
 
 Cost RunProgram(std::vector<std::string> words)
@@ -72,7 +81,8 @@ Cost RunProgram(std::vector<std::string> words)
   }
   const auto seconds = [](const timeval& time)
   { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
-  return { seconds(usage.ru_utime) + seconds(usage.ru_stime), Now().Wall - start };
+  return { seconds(usage.ru_utime) + seconds(usage.ru_stime), Now().Wall - start,
+    1024.0 * static_cast<double>(usage.ru_maxrss) };
 }
 
 ScratchFolder::ScratchFolder()

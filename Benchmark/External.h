@@ -20,11 +20,21 @@ std::string FirstLine(const char* command);
 struct Cost
 {
   double Cpu = 0.0, Wall = 0.0; ///< seconds
+  double Bytes = 0.0;           ///< peak of the program's resident memory
+
+  /// Runs one after the other: times add up, the greater peak stays.
+  Cost& operator+=(const Cost& next);
 };
 
 /// Runs a program (searched in PATH unless its name has a slash), silent; std::runtime_error if it is
 /// not there or fails.
 Cost RunProgram(std::vector<std::string> words);
+
+/// The peak memory of a program, in floats a post.
+inline double FloatsPerPost(const Cost& cost, const oracle::OracleField& field)
+{
+  return cost.Bytes / sizeof(float) / static_cast<double>(field.Heights.size());
+}
 
 /// A temporary folder (in TMPDIR), which goes with everything in it.
 class ScratchFolder

@@ -31,7 +31,7 @@ Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths)
   }
   const oracle::OracleField& field = scene.Field;
   const GrassLocation location(field, base);
-  location.Import("heights");
+  location.Import("heights", field.Heights);
 
   Cost sum;
   ErrorSum errors;
@@ -43,10 +43,8 @@ Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths)
       static_cast<std::size_t>(8 * azimuths) % count;
     // There angles run from east to the left.
     const double angle = std::fmod(450.0 - truth.Azimuths[azimuth], 360.0);
-    const Cost cost = location.Run("r.horizon",
+    sum += location.Run("r.horizon",
       { "-d", "elevation=heights", "direction=" + std::to_string(angle), "output=horizon" });
-    sum.Cpu += cost.Cpu;
-    sum.Wall += cost.Wall;
 
     const std::vector<float> found = location.Take("horizon");
     for (std::size_t i = 0; i < truth.Posts.size(); ++i)
@@ -64,6 +62,7 @@ Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths)
   Laps laps;
   laps.Add({}, { sum.Cpu, sum.Wall });
   laps.Report(result, static_cast<double>(field.Heights.size()) * azimuths);
+  result.FloatsPerPost = FloatsPerPost(sum, field);
   result.PrepareNs = NotMeasured;
   result.SearchNs = NotMeasured;
   result.Error = errors.Get();

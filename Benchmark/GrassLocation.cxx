@@ -45,15 +45,15 @@ Cost GrassLocation::Run(const std::string& module, std::vector<std::string> argu
   return RunProgram(std::move(arguments));
 }
 
-void GrassLocation::Import(const std::string& raster) const
+void GrassLocation::Import(const std::string& raster, const std::vector<double>& values) const
 {
   std::ofstream file(this->File("posts"), std::ios::binary);
   for (std::ptrdiff_t row = this->Field.Rows - 1; row >= 0; --row) // rasters run from the north
   {
     for (std::ptrdiff_t column = 0; column < this->Field.Columns; ++column)
     {
-      const double height = this->Field.At(column, row);
-      const float value = std::isfinite(height) ? static_cast<float>(height) : Null;
+      const double given = values[this->Field.Index(column, row)];
+      const float value = std::isfinite(given) ? static_cast<float>(given) : Null;
       file.write(reinterpret_cast<const char*>(&value), sizeof value);
     }
   }

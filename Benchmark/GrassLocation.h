@@ -28,8 +28,8 @@ public:
   /// Runs a module, silent; std::runtime_error if it fails.
   Cost Run(const std::string& module, std::vector<std::string> arguments) const;
 
-  /// The heights become a raster.
-  void Import(const std::string& raster) const;
+  /// Values of all posts, row by row from the south, become a raster; not finite ones are missing.
+  void Import(const std::string& raster, const std::vector<double>& values) const;
 
   /// The only raster whose name starts so, row by row from the north; missing posts are Null. The
   /// raster is forgotten.

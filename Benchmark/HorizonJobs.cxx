@@ -5,6 +5,7 @@
 #include "EmbreeHorizon.h"
 #include "EveryCrossing.h"
 #include "GrassHorizon.h"
+#include "HorizonExact.h"
 #include "KernelMethods.h"
 #include "SceneImage.h"
 
@@ -83,16 +84,21 @@ void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much
       });
   };
   HorizonSettings how;
-  kernel("exact", "exact", "tolerance 0", 0, how);
+  char segments[100]; // compiled in, not settings: see Documentation/horizon.md
+  std::snprintf(segments, sizeof segments, "%td near lines, segments of %td lines in groups of %td",
+    std::ptrdiff_t{ ExactState::NearLines }, std::ptrdiff_t{ SegmentBounds::Lines },
+    std::ptrdiff_t{ SegmentBounds::PerGroup });
+  const std::string search = segments;
+  kernel("exact", "exact", "tolerance 0, " + search, MainTurn, how);
   how.Method = HorizonMethodKind::Fast;
-  kernel("fast", "fast", "certified to 0.25 degrees", 0, how);
+  kernel("fast", "fast", "tolerance 0.25 degrees, certified; " + search, MainTurn, how);
   how.Method = HorizonMethodKind::Sweep;
-  kernel("sweep", "sweep", "as published, resampled to the posts", 0, how);
+  kernel("sweep", "sweep", "as published, resampled to the posts", MainTurn, how);
   how.Method = HorizonMethodKind::Pyramid;
-  kernel("pyramid", "pyramid", "k = 4, o = 2, b-spline", 0, how);
+  kernel("pyramid", "pyramid", "k = 4, o = 2, b-spline", MainTurn, how);
   how.Pyramid.Spline = false;
-  kernel("pyramid", "pyramid, max", "k = 4, o = 2, greatest level alone", 0, how);
-  add("every", "every crossing", "plain loops, every eighth azimuth", 0,
+  kernel("pyramid", "pyramid, max", "k = 4, o = 2, greatest level alone", PeerTurn, how);
+  add("every", "every crossing", "plain loops, every eighth azimuth", much ? MainTurn : PeerTurn,
     [stage]
     {
       return MeasureKernel(
@@ -105,11 +111,12 @@ void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much
   {
     char label[40];
     std::snprintf(label, sizeof label, "Embree %.2f°", accuracy);
-    add("embree", label, "occlusion rays, bracket from the azimuth before", accuracy > 0.1 ? 0 : 1,
+    add("embree", label, "occlusion rays, bracket from the azimuth before",
+      accuracy > 0.1 && much ? MainTurn : PeerTurn,
       [stage, accuracy]
       { return MeasureEmbree(stage->Scene, stage->Horizons(), accuracy, stage->Work.Repeats); });
   }
-  add("grass", "GRASS r.horizon", "-d, whole raster, start and files included", 1,
+  add("grass", "GRASS r.horizon", "-d, whole raster, start and files included", PeerTurn,
     [stage] { return MeasureGrass(stage->Scene, stage->Horizons(), 1); });
   how = HorizonSettings();
   for (const double tolerance : { 0.05, 1.0 })
@@ -117,7 +124,7 @@ void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much
     how.Tolerance = tolerance * RadiansPerDegree;
     char label[40];
     std::snprintf(label, sizeof label, "exact, %.3g°", tolerance);
-    kernel("exact", label, "may fall short by the tolerance", 2, how);
+    kernel("exact", label, "may fall short by the tolerance", SweepTurn, how);
   }
   if (!much)
   {
@@ -130,7 +137,7 @@ void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much
     how.Pyramid.LevelStep = step;
     char label[40];
     std::snprintf(label, sizeof label, "pyramid k=%.0f", step);
-    kernel("pyramid", label, "o = 2, b-spline", 3, how);
+    kernel("pyramid", label, "o = 2, b-spline", SweepTurn, how);
   }
   how.Pyramid.LevelStep = 4.0;
   for (const double offset : { 0.0, 4.0 })
@@ -138,11 +145,11 @@ void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much
     how.Pyramid.LevelOffset = offset;
     char label[40];
     std::snprintf(label, sizeof label, "pyramid o=%.0f", offset);
-    kernel("pyramid", label, "k = 4, b-spline", 3, how);
+    kernel("pyramid", label, "k = 4, b-spline", SweepTurn, how);
   }
-  add("gpu", "GPU exact", "16 azimuths, wall time", 4,
+  add("gpu", "GPU exact", "16 azimuths, wall time", DeviceTurn,
     [stage] { return MeasureDevice(*stage, false); });
-  add("gpu", "GPU pyramid", "16 azimuths, k = 4, o = 2, wall time", 4,
+  add("gpu", "GPU pyramid", "16 azimuths, k = 4, o = 2, wall time", DeviceTurn,
     [stage] { return MeasureDevice(*stage, true); });
 }
 

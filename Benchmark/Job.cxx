@@ -20,6 +20,8 @@ const std::vector<Quantity>& Quantities()
       "ns for one post", false },
     { "sun", "Who sees the sun", "posts on the wrong side of a shadow, %",
       "ns for one post and sun", true },
+    { "beam", "Irradiance of the sun", "rmse, % of the mean irradiance", "ns for one post and sun",
+      false },
     { "lamp", "Irradiance of a lamp", "rmse, % of the mean irradiance", "ns for one post", false },
     { "frame", "Moving terrain: a frame", "rmse, % of the mean irradiance", "ns for one post",
       false },

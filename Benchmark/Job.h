@@ -40,7 +40,7 @@ struct Task
   std::string Kind;     ///< a name of Kinds()
   std::string Label;    ///< short, at the point of a chart
   std::string Settings; ///< in words
-  int Turn = 0;         ///< of the round in which it runs: what matters most comes first
+  int Turn = 0;         ///< what matters most comes first
 };
 
 struct Job
@@ -54,6 +54,7 @@ struct Finding
 {
   Task What;
   Result Found;
+  double Seconds = 0.0; ///< wall time, with a truth that was found for it
 };
 
 /// The coordinates of a finding in its chart: nanoseconds (CPU, median; wall where the processor is

@@ -16,6 +16,13 @@ namespace skyline
 namespace benchmark
 {
 
+/// Turns: what comes first when time is short. A scene that matters less adds to them (Session.cxx).
+constexpr int MainTurn = 0;   ///< the main setting of a family of methods
+constexpr int PeerTurn = 1;   ///< other programs, second settings
+constexpr int DeviceTurn = 2; ///< the graphics processor, which may be this processor in disguise
+constexpr int SweepTurn = 3;  ///< further values of a parameter
+constexpr int LastTurn = 6;   ///< programs that take minutes
+
 using StagePointer = std::shared_ptr<Stage>;
 
 /// A job on a stage; the other arguments are those of Task and Job.
@@ -29,6 +36,7 @@ void AddSkyJobs(std::vector<Job>& jobs, const StagePointer& stage);
 void AddThreadJobs(std::vector<Job>& jobs, const StagePointer& stage);
 void AddIrradianceJobs(std::vector<Job>& jobs, const StagePointer& stage);
 void AddSunJobs(std::vector<Job>& jobs, const StagePointer& stage);
+void AddBeamJobs(std::vector<Job>& jobs, const StagePointer& stage);
 void AddLampJobs(std::vector<Job>& jobs, const StagePointer& stage);
 void AddFrameJobs(std::vector<Job>& jobs, const StagePointer& stage);
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Jobs.h"
 
+#include "EmbreeLight.h"
 #include "HorizonTesting.h"
 #include "LampIrradiance.h"
 #include "Normals.h"
 
 #include <cstdio>
+#include <string>
 #include <vector>
 
 namespace skyline
@@ -83,7 +85,7 @@ void AddLampJobs(std::vector<Job>& jobs, const StagePointer& stage)
     std::snprintf(
       words, sizeof words, "tolerance %.3g of the unshadowed light", settings.Tolerance);
     AddJob(
-      jobs, stage, "lamp", "lamp", label, words, azimuths == 32 ? 1 : 2,
+      jobs, stage, "lamp", "lamp", label, words, azimuths == 32 ? MainTurn : SweepTurn,
       [stage] { stage->LampLight(); }, [stage, settings] { return MeasureLamp(*stage, settings); });
   }
   LampSettings loose;
@@ -91,7 +93,16 @@ void AddLampJobs(std::vector<Job>& jobs, const StagePointer& stage)
   loose.Tolerance = 0.05;
   AddJob(
     jobs, stage, "lamp", "lamp", "lamp, loose", "8 planes, tolerance 0.05 of the unshadowed light",
-    2, [stage] { stage->LampLight(); }, [stage, loose] { return MeasureLamp(*stage, loose); });
+    SweepTurn, [stage] { stage->LampLight(); },
+    [stage, loose] { return MeasureLamp(*stage, loose); });
+  for (const int side : { 8, 32, 3 })
+  {
+    AddJob(
+      jobs, stage, "lamp", "embree", "Embree " + std::to_string(side * side),
+      std::to_string(side * side) + " rays a post into even cells of the lamp",
+      side == 8 ? PeerTurn : SweepTurn, [stage] { stage->LampLight(); },
+      [stage, side] { return MeasureEmbreeLamp(*stage, side); });
+  }
 }
 
 } // namespace benchmark

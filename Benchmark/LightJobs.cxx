@@ -5,6 +5,7 @@
 #include "DeviceRun.h"
 #include "External.h"
 #include "LightTable.h"
+#include "PeerSuns.h"
 #include "SceneImage.h"
 
 #include "vtkFloatArray.h"
@@ -63,16 +64,9 @@ Result MeasureSky(Stage& stage, int method, int azimuths)
   return result;
 }
 
-// Sectors of rays from cell to cell.
-Result MeasureSagaSky(Stage& stage, int sectors)
+// Sky view factors of another program.
+Result OfProgram(Stage& stage, const Cost& cost, const std::vector<float>& found)
 {
-  const oracle::OracleField& field = stage.Scene.Field;
-  const ScratchFolder folder;
-  WriteSagaGrid(field, folder.File("heights"));
-  const Cost cost = RunProgram({ "saga_cmd", "-c=1", "ta_lighting", "3",
-    "-DEM=" + folder.File("heights.sgrd"), "-VISIBLE=" + folder.File("visible.sgrd"),
-    "-SVF=" + folder.File("sky.sgrd"), "-RADIUS=1e9", "-NDIRS=" + std::to_string(sectors) });
-  const std::vector<float> found = ReadSagaGrid(field, folder.File("sky"));
   ErrorSum errors;
   const Truth& truth = stage.DenseHorizons();
   for (std::size_t i = 0; i < truth.Posts.size(); ++i)
@@ -83,11 +77,33 @@ Result MeasureSagaSky(Stage& stage, int sectors)
   Result result;
   Laps laps;
   laps.Add({}, { cost.Cpu, cost.Wall });
-  laps.Report(result, static_cast<double>(field.Heights.size()));
+  laps.Report(result, static_cast<double>(stage.Scene.Field.Heights.size()));
+  result.FloatsPerPost = FloatsPerPost(cost, stage.Scene.Field);
   result.PrepareNs = result.SearchNs = NotMeasured;
   result.Error = errors.Get();
   result.Ran = true;
   return result;
+}
+
+// Sectors of rays from cell to cell.
+Result MeasureSagaSky(Stage& stage, int sectors)
+{
+  const oracle::OracleField& field = stage.Scene.Field;
+  const ScratchFolder folder;
+  WriteSagaGrid(field, folder.File("heights"));
+  const Cost cost = RunProgram({ "saga_cmd", "-c=1", "ta_lighting", "3",
+    "-DEM=" + folder.File("heights.sgrd"), "-VISIBLE=" + folder.File("visible.sgrd"),
+    "-SVF=" + folder.File("sky.sgrd"), "-RADIUS=1e9", "-NDIRS=" + std::to_string(sectors) });
+  return OfProgram(stage, cost, ReadSagaGrid(field, folder.File("sky")));
+}
+
+// r.sun's diffuse light, which no terrain hides: what a sky view factor without horizons is.
+Result MeasureGrassDiffuse(Stage& stage)
+{
+  const oracle::OracleField& field = stage.Scene.Field;
+  Cost cost;
+  const std::vector<float> found = GrassDiffuse(field, cost);
+  return OfProgram(stage, cost, found);
 }
 
 // Red, green and blue together, in per cent of the mean.
@@ -197,7 +213,7 @@ void AddSkyJobs(std::vector<Job>& jobs, const StagePointer& stage)
     AddJob(
       jobs, stage, "sky", kind, label, settings, turn, [stage] { stage->SkyView(); }, measure);
   };
-  for (const int azimuths : { 16, 36, 72, 8, 180 })
+  for (const int azimuths : { 36, 16, 72, 8, 180 })
   {
     for (const auto& search : Searches)
     {
@@ -206,9 +222,11 @@ void AddSkyJobs(std::vector<Job>& jobs, const StagePointer& stage)
         method == vtkHeightFieldAlgorithm::EXACT || method == vtkHeightFieldAlgorithm::FAST;
       if (ours || azimuths == 16 || azimuths == 36)
       {
-        const bool first = azimuths == 16 || azimuths == 36;
         add(search.Name, std::string(search.Name) + " " + std::to_string(azimuths),
-          std::to_string(azimuths) + " azimuths", first ? 1 : 2,
+          std::to_string(azimuths) + " azimuths",
+          azimuths == 36     ? MainTurn
+            : azimuths == 16 ? PeerTurn
+                             : SweepTurn,
           [stage, method, azimuths] { return MeasureSky(*stage, method, azimuths); });
       }
     }
@@ -216,9 +234,13 @@ void AddSkyJobs(std::vector<Job>& jobs, const StagePointer& stage)
   for (const int sectors : { 8, 36 })
   {
     add("saga", "SAGA " + std::to_string(sectors),
-      "ta_lighting 3, whole radius, cell by cell, one thread, start and files included", 2,
+      "ta_lighting 3, whole radius, cell by cell, one thread, start and files included",
+      sectors == 8 ? PeerTurn : SweepTurn,
       [stage, sectors] { return MeasureSagaSky(*stage, sectors); });
   }
+  add("grass", "GRASS r.sun, diffuse",
+    "diff_rad, sun at the zenith, coeff_bh=0: a slope without terrain; start and files included",
+    PeerTurn, [stage] { return MeasureGrassDiffuse(*stage); });
 }
 
 void AddThreadJobs(std::vector<Job>& jobs, const StagePointer& stage)
@@ -230,7 +252,7 @@ void AddThreadJobs(std::vector<Job>& jobs, const StagePointer& stage)
     AddJob(
       jobs, stage, "threads", "exact",
       std::to_string(threads) + (threads == 1 ? " thread" : " threads"),
-      "sky view factor, 36 azimuths", 2, [] {},
+      "sky view factor, 36 azimuths", PeerTurn, [] {},
       [stage, threads]
       {
         constexpr int azimuths = 36;
@@ -273,7 +295,10 @@ void AddIrradianceJobs(std::vector<Job>& jobs, const StagePointer& stage)
         how.Count = count;
         how.Method = search.Method;
         host(search.Name, std::string(search.Name) + " " + std::to_string(count),
-          "tables, " + std::to_string(count) + " azimuths", count == 32 || count == 64 ? 1 : 2,
+          "tables, " + std::to_string(count) + " azimuths",
+          count == 32     ? MainTurn
+            : count == 64 ? PeerTurn
+                          : SweepTurn,
           how);
       }
     }
@@ -285,23 +310,24 @@ void AddIrradianceJobs(std::vector<Job>& jobs, const StagePointer& stage)
   {
     how.Bands = bands;
     host("harmonics", "SH " + std::to_string(bands) + ", exact",
-      "harmonics of " + std::to_string(bands) + " bands, 32 azimuths", bands == 4 ? 1 : 2, how);
+      "harmonics of " + std::to_string(bands) + " bands, 32 azimuths",
+      bands == 4 ? MainTurn : SweepTurn, how);
   }
   how.Bands = 4;
   how.Method = vtkHeightFieldAlgorithm::PYRAMID;
-  host("harmonics", "SH 4, pyramid", "harmonics of 4 bands, 32 azimuths", 1, how);
+  host("harmonics", "SH 4, pyramid", "harmonics of 4 bands, 32 azimuths", PeerTurn, how);
   how.Count = 16;
-  add("gpu", "GPU SH 4, pyramid", "harmonics of 4 bands, 16 azimuths, wall time", 4,
+  add("gpu", "GPU SH 4, pyramid", "harmonics of 4 bands, 16 azimuths, wall time", DeviceTurn,
     [stage, how] { return MeasureDeviceIrradiance(*stage, how); });
 }
 
 void AddFrameJobs(std::vector<Job>& jobs, const StagePointer& stage)
 {
   const auto add = [&](const char* kind, const std::string& label, const std::string& settings,
-                     const LightSettings& how)
+                     int turn, const LightSettings& how)
   {
     AddJob(
-      jobs, stage, "frame", kind, label, settings, 1, [stage] { stage->ClearSky(); },
+      jobs, stage, "frame", kind, label, settings, turn, [stage] { stage->ClearSky(); },
       [stage, how] { return MeasureFrames(*stage, how); });
   };
   for (const auto& search : Searches)
@@ -310,10 +336,12 @@ void AddFrameJobs(std::vector<Job>& jobs, const StagePointer& stage)
     how.Method = search.Method;
     how.Count = 16;
     how.Keep = true;
-    add(search.Name, std::string(search.Name) + ", table", "16 azimuths, horizons kept", how);
+    add(search.Name, std::string(search.Name) + ", table", "16 azimuths, horizons kept", MainTurn,
+      how);
     how.Keep = false;
     how.Harmonics = true;
-    add(search.Name, std::string(search.Name) + ", SH 4", "16 azimuths, transfer kept", how);
+    add(search.Name, std::string(search.Name) + ", SH 4", "16 azimuths, transfer kept", PeerTurn,
+      how);
   }
 }
 

@@ -22,6 +22,17 @@ bool IsPaper(const Finding& finding)
   return finding.What.Kind == "sweep" || finding.What.Kind == "pyramid";
 }
 
+// Whether there is anything to compare with.
+bool HasOurs(const std::vector<Finding>& findings, const Finding& paper)
+{
+  return std::any_of(findings.begin(), findings.end(),
+    [&](const Finding& f)
+    {
+      return IsOurs(f) && OnChart(f) && f.What.Quantity == paper.What.Quantity &&
+        f.What.Scene == paper.What.Scene;
+    });
+}
+
 const Finding* Find(const std::vector<Finding>& findings, const Finding& like, const char* label)
 {
   const auto found = std::find_if(findings.begin(), findings.end(),
@@ -81,7 +92,7 @@ std::vector<Exception> Exceptions(const std::vector<Finding>& findings)
   std::vector<Exception> exceptions;
   for (const Finding& paper : findings)
   {
-    if (!IsPaper(paper) || !OnChart(paper))
+    if (!IsPaper(paper) || !OnChart(paper) || !HasOurs(findings, paper))
     {
       continue;
     }
@@ -98,11 +109,27 @@ std::vector<Exception> Exceptions(const std::vector<Finding>& findings)
     }
     if (!beaten)
     {
+      const auto alike = std::find_if(findings.begin(), findings.end(),
+        [&](const Finding& f)
+        {
+          return f.What.Kind == "exact" && OnChart(f) && f.What.Quantity == paper.What.Quantity &&
+            f.What.Scene == paper.What.Scene && f.What.Settings == paper.What.Settings;
+        });
+      exception.Alike = alike == findings.end() ? nullptr : &*alike;
+      exception.Tie =
+        exception.Nearest && exception.Nearest->Found.TotalNs <= paper.Found.TotalMedianNs;
       exception.Paper = &paper;
       exceptions.push_back(exception);
     }
   }
   return exceptions;
+}
+
+std::size_t ComparedWithPapers(const std::vector<Finding>& findings, const std::string& quantity)
+{
+  return static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(),
+    [&](const Finding& f)
+    { return f.What.Quantity == quantity && IsPaper(f) && OnChart(f) && HasOurs(findings, f); }));
 }
 
 std::vector<Ratio> Ratios(const std::vector<Finding>& findings)
@@ -123,6 +150,9 @@ std::vector<Ratio> Ratios(const std::vector<Finding>& findings)
     };
     add("exact over every crossing", Find(findings, exact, "every crossing"), &exact);
     add("exact over Embree 0.25", Find(findings, exact, "Embree 0.25°"), &exact);
+    add("exact over GRASS r.horizon", Find(findings, exact, "GRASS r.horizon"), &exact);
+    add("exact over sweep", Find(findings, exact, "sweep"), &exact);
+    add("exact over pyramid", Find(findings, exact, "pyramid"), &exact);
     add("fast over exact", &exact, Find(findings, exact, "fast"));
   }
   return ratios;

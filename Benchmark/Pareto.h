@@ -32,7 +32,12 @@ struct Exception
 {
   const Finding* Paper = nullptr;
   const Finding* Nearest = nullptr; ///< the quickest of ours with no more error; null: none
+  const Finding* Alike = nullptr;   ///< exact with the same settings, if it ran
+  bool Tie = false;                 ///< Nearest's quickest run was no slower: the clock's scatter
 };
+/// Sweep and pyramid of a quantity that were measured where exact or fast was too.
+std::size_t ComparedWithPapers(const std::vector<Finding>& findings, const std::string& quantity);
+
 std::vector<Exception> Exceptions(const std::vector<Finding>& findings);
 
 /// How many times faster; on a scene.
@@ -43,7 +48,8 @@ struct Ratio
   double Times = 0.0;
 };
 
-/// Of horizons: exact over every crossing and over Embree at 0.25 degrees, fast over exact.
+/// Of horizons: exact over every crossing, Embree at 0.25 degrees, GRASS and the papers' methods, fast
+/// over exact.
 std::vector<Ratio> Ratios(const std::vector<Finding>& findings);
 
 } // namespace benchmark

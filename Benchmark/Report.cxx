@@ -4,6 +4,7 @@
 #include "Chart.h"
 #include "Figures.h"
 #include "Pareto.h"
+#include "ReportMissing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,7 @@ figure{margin:0;background:var(--card);border:1px solid var(--line);border-radiu
 figure svg{width:100%;height:auto;display:block}figcaption{font-weight:600}figcaption span{font-weight:400;color:var(--soft);font-size:13px;display:block}
 .wide{overflow-x:auto}table{border-collapse:collapse;font-size:13px;font-variant-numeric:tabular-nums}
 th,td{padding:3px 9px;text-align:right;border-bottom:1px solid var(--line);white-space:nowrap}th{color:var(--soft);font-weight:500;vertical-align:bottom;white-space:normal}
-td.w,th.w{text-align:left}summary{cursor:pointer;color:var(--soft);margin:8px 0}li{margin:3px 0;max-width:80ch}
+td.w,th.w{text-align:left}td.wrap{white-space:normal;min-width:34ch}summary{cursor:pointer;color:var(--soft);margin:8px 0}li{margin:3px 0;max-width:80ch}
 )";
 
 std::string DescriptionOf(const Session& session, const std::string& scene)
@@ -57,20 +58,47 @@ std::vector<std::string> ScenesOf(const Session& session, const std::string& qua
 
 void WriteCharts(std::ostream& out, const Session& session, const Quantity& quantity)
 {
-  std::string figures;
+  std::string figures, alone;
   for (const std::string& scene : ScenesOf(session, quantity.Name))
   {
-    const std::string chart =
-      DrawChart(ChartOf(session.Findings, quantity.Name, scene), ChartStyle());
-    if (!chart.empty())
+    const std::vector<const Finding*> points = ChartOf(session.Findings, quantity.Name, scene);
+    if (points.size() == 1) // nothing to compare
+    {
+      alone += (alone.empty() ? "" : "; ") + scene + ": " + points.front()->What.Label;
+    }
+    else if (!points.empty())
     {
       figures += "<figure><figcaption>" + Escaped(scene) + "<span>" +
-        Escaped(DescriptionOf(session, scene)) + "</span></figcaption>" + chart + "</figure>\n";
+        Escaped(DescriptionOf(session, scene)) + "</span></figcaption>" +
+        DrawChart(points, ChartStyle()) + "</figure>\n";
     }
   }
   if (!figures.empty())
   {
     out << "<div class=\"charts\">\n" << figures << "</div>\n";
+  }
+  if (!alone.empty())
+  {
+    out << "<p class=\"soft\">One method alone was measured, in the table, on " << Escaped(alone)
+        << ".</p>\n";
+  }
+}
+
+// How many times quicker more threads are.
+void WriteSpeedUp(std::ostream& out, const Session& session)
+{
+  for (const Finding& one : session.Findings)
+  {
+    for (const Finding& many : session.Findings)
+    {
+      const bool comparable = one.What.Quantity == "threads" && many.What.Quantity == "threads" &&
+        one.What.Scene == many.What.Scene && one.Found.Ran && many.Found.Ran;
+      if (comparable && one.Found.Threads == 1.0 && many.Found.Threads > 1.0)
+      {
+        out << "<p>" << Escaped(many.What.Scene) << ": " << Escaped(many.What.Label) << " take "
+            << Short(TimeOf(one) / TimeOf(many)) << " times less than one.</p>\n";
+      }
+    }
   }
 }
 
@@ -103,7 +131,8 @@ void WriteTable(std::ostream& out, const Session& session, const Quantity& quant
     }
   }
   out << "<details" << (open ? " open" : "") << "><summary>All figures: " << rows.size()
-      << " measurements, times in " << Escaped(quantity.Time) << "</summary><div class=\"wide\">"
+      << (rows.size() == 1 ? " measurement" : " measurements") << ", times in "
+      << Escaped(quantity.Time) << "</summary><div class=\"wide\">"
       << "<table><tr><th class=\"w\">scene</th><th class=\"w\">method</th>"
       << "<th class=\"w\">settings</th>";
   for (const Figure* column : columns)
@@ -136,15 +165,7 @@ const char* WhyQuick(const std::string& kind)
 
 void WriteExceptions(std::ostream& out, const Session& session, const Quantity& quantity)
 {
-  std::size_t compared = 0;
-  for (const Finding& finding : session.Findings)
-  {
-    const std::string& kind = finding.What.Kind;
-    compared += finding.What.Quantity == quantity.Name && OnChart(finding) &&
-        (kind == "sweep" || kind == "pyramid")
-      ? 1
-      : 0;
-  }
+  const std::size_t compared = ComparedWithPapers(session.Findings, quantity.Name);
   if (compared == 0)
   {
     return;
@@ -176,15 +197,39 @@ void WriteExceptions(std::ostream& out, const Session& session, const Quantity& 
       const Finding& ours = *exception.Nearest;
       out << ". The quickest of ours that errs no more, " << Escaped(ours.What.Label) << ", takes "
           << Short(TimeOf(ours)) << " ns and errs by " << Short(ErrorOf(ours)) << ": "
-          << WhyQuick(paper.What.Kind);
+          << (exception.Tie ? "a tie, for its quickest run was no slower"
+                            : WhyQuick(paper.What.Kind));
+    }
+    else if (exception.Alike)
+    {
+      out << ". Exact with the same settings errs by " << Short(ErrorOf(*exception.Alike))
+          << ": what lies between the azimuths is most of both, and differs by chance";
     }
     else
     {
-      out << ". None of ours that ran errs less: more azimuths would";
+      out << ". None of ours that ran errs as little";
     }
     out << ".</li>\n";
   }
   out << "</ul>\n";
+}
+
+// Counted from what was measured, over all charts.
+void WriteVerdict(std::ostream& out, const Session& session)
+{
+  std::size_t compared = 0;
+  for (const Quantity& quantity : Quantities())
+  {
+    compared += ComparedWithPapers(session.Findings, quantity.Name);
+  }
+  const std::size_t exceptions = Exceptions(session.Findings).size();
+  if (compared > 0)
+  {
+    out << "<p>Exact or fast beats " << compared - exceptions << " of the " << compared
+        << " measurements of sweep and pyramid: it takes no more time there and errs no more. "
+        << (exceptions > 0 ? "The others stand above their charts, each with its reason." : "")
+        << "</p>\n";
+  }
 }
 
 void WriteSummary(std::ostream& out, const Session& session)
@@ -194,7 +239,9 @@ void WriteSummary(std::ostream& out, const Session& session)
   {
     return;
   }
-  out << "<h2>In short</h2>\n<div class=\"wide\"><table><tr><th class=\"w\">times faster, CPU</th>";
+  out << "<h2>In short</h2>\n";
+  WriteVerdict(out, session);
+  out << "<div class=\"wide\"><table><tr><th class=\"w\">times faster, CPU</th>";
   std::vector<std::string> scenes, names;
   std::map<std::pair<std::string, std::string>, double> times;
   for (const Ratio& ratio : ratios)
@@ -228,53 +275,6 @@ void WriteSummary(std::ostream& out, const Session& session)
   out << "</table></div>\n";
 }
 
-void WriteNotRun(std::ostream& out, const Session& session)
-{
-  std::map<std::string, std::vector<std::string>> reasons;
-  for (const Finding& finding : session.Findings)
-  {
-    if (!finding.Found.Ran)
-    {
-      const Task& task = finding.What;
-      const std::string reason = finding.Found.Reason;
-      reasons[task.Label + ": " + (reason.empty() ? "failed" : reason)].push_back(
-        task.Scene + " (" + task.Quantity + ")");
-    }
-  }
-  if (reasons.empty() && session.LeftOut.empty())
-  {
-    return;
-  }
-  out << "<h2>Not measured</h2>\n<ul>\n";
-  for (const auto& [reason, places] : reasons)
-  {
-    out << "<li>" << Escaped(reason) << " <span class=\"soft\">";
-    for (std::size_t k = 0; k < places.size(); ++k)
-    {
-      out << (k == 0 ? "" : ", ") << Escaped(places[k]);
-    }
-    out << "</span></li>\n";
-  }
-  if (!session.LeftOut.empty())
-  {
-    out << "<li>For want of time " << session.LeftOut.size()
-        << " measurements; a greater --budget makes them: <span class=\"soft\">";
-    std::map<std::string, int> counts;
-    for (const Task& task : session.LeftOut)
-    {
-      ++counts[task.Scene + " (" + task.Quantity + ")"];
-    }
-    const char* comma = "";
-    for (const auto& [place, count] : counts)
-    {
-      out << comma << Escaped(place) << " " << count;
-      comma = ", ";
-    }
-    out << "</span></li>\n";
-  }
-  out << "</ul>\n";
-}
-
 const char* Explanation(const std::string& quantity)
 {
   static const std::map<std::string, const char*> texts{
@@ -292,8 +292,12 @@ const char* Explanation(const std::string& quantity)
     { "sun",
       "Three suns, 10 to 35 degrees high, over a square in the middle of the scene: posts that are lit "
       "where the truth is dark, or the reverse. SSIM, in the table, compares the shaded pictures." },
+    { "beam",
+      "The same suns and square: the cosine of the sun's incidence where it is seen, without an "
+      "atmosphere. GRASS r.sun runs with linke_value=0, which has none either, and gets our slopes; "
+      "SAGA and gdaldem find theirs, by the same differences; gdaldem knows no shadow." },
     { "lamp",
-      "A ball above the middle of the scene, against 1024 rays a post in double precision." },
+      "A ball above the middle of the scene, against 1024 rays a post at the triangles, in double precision. Embree casts as many rays as its label says, others than the truth's, and is timed for those posts alone." },
     { "frame",
       "Each frame has new heights, and nothing of the last one is used; \"new light alone\" in the "
       "table is the same frame when only the light has moved." },
@@ -339,6 +343,7 @@ std::string ReportPage(const Session& session, const ReportOrigin& origin)
         << "</td></tr>\n";
   }
   out << "</table></div>\n";
+  WriteHowMuch(out, session);
   WriteSummary(out, session);
   for (const Quantity& quantity : Quantities())
   {
@@ -350,9 +355,13 @@ std::string ReportPage(const Session& session, const ReportOrigin& origin)
         << "</p>\n";
     WriteExceptions(out, session, quantity);
     WriteCharts(out, session, quantity);
+    if (quantity.Name == "threads")
+    {
+      WriteSpeedUp(out, session);
+    }
     WriteTable(out, session, quantity, quantity.Name == "threads");
   }
-  WriteNotRun(out, session);
+  WriteNotMeasured(out, session);
   out
     << "<h2>How it was measured</h2>\n<ul>\n"
        "<li>Every measurement is a process of its own. Times are CPU time of one thread, the median "
@@ -361,7 +370,7 @@ std::string ReportPage(const Session& session, const ReportOrigin& origin)
        "<li>Errors are found less true. 99.9 %: so many of the absolute errors are no greater. Posts "
        "are drawn by lot from those with a cell on all four sides; every scene is flat, and its "
        "surface the triangles that VTK draws.</li>\n"
-       "<li>Peak memory is beyond the heights that are given.</li>\n"
+       "<li>Peak memory is beyond the heights that are given; of another program all that it takes.</li>\n"
        "<li>Runs on a busy machine scatter: compare within a page, and look at the load "
        "above.</li>\n</ul>\n</body></html>\n";
   return out.str();

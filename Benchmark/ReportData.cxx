@@ -108,7 +108,8 @@ std::string ReportJson(const Session& session, const ReportOrigin& origin)
   std::ostringstream out;
   out << "{\n  \"program\": " << JsonText(origin.Program)
       << ",\n  \"command\": " << JsonText(origin.Command)
-      << ",\n  \"seconds\": " << Digits(session.Seconds) << ",\n";
+      << ",\n  \"seconds\": " << Digits(session.Seconds)
+      << ",\n  \"budget_s\": " << Digits(session.Budget) << ",\n";
   WriteObject(out, "machine", session.Machine);
   WriteObject(out, "scenes", session.Scenes);
   out << "  \"findings\": [";
@@ -125,7 +126,8 @@ std::string ReportJson(const Session& session, const ReportOrigin& origin)
         out << ", " << JsonText(figure.Name) << ": " << Digits(value);
       }
     }
-    out << ", \"note\": " << JsonText(finding.Found.Reason) << "}";
+    out << ", \"seconds\": " << Digits(finding.Seconds)
+        << ", \"note\": " << JsonText(finding.Found.Reason) << "}";
     comma = ",";
   }
   out << "\n  ],\n  \"left_out\": [";

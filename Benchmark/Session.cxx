@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session.h"
 
+#include "External.h"
 #include "Jobs.h"
 #include "Machine.h"
 #include "Scenes.h"
 
 #include <algorithm>
-#include <map>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <stdexcept>
 #include <string>
-#include <tuple>
 #include <utility>
 
 namespace skyline
@@ -18,6 +21,8 @@ namespace benchmark
 
 namespace
 {
+
+constexpr double LeastLimit = 10.0; // seconds that any measurement may take
 
 bool IsAmong(const std::string& name, const std::vector<std::string>& names)
 {
@@ -60,6 +65,56 @@ std::vector<StagePointer> MakeStages(const SessionOptions& options, const WantsT
   return stages;
 }
 
+// A child that is killed leaves its files: they lie in a folder of ours, which goes with us.
+class TemporaryFiles
+{
+public:
+  TemporaryFiles()
+  {
+    const char* before = std::getenv("TMPDIR");
+    this->Before = before ? before : "";
+    setenv("TMPDIR", this->Folder.Path().c_str(), 1);
+  }
+  ~TemporaryFiles()
+  {
+    if (this->Before.empty())
+    {
+      unsetenv("TMPDIR");
+    }
+    else
+    {
+      setenv("TMPDIR", this->Before.c_str(), 1);
+    }
+  }
+  TemporaryFiles(const TemporaryFiles&) = delete;
+  TemporaryFiles& operator=(const TemporaryFiles&) = delete;
+
+private:
+  ScratchFolder Folder;
+  std::string Before;
+};
+
+// Measures in a child, which is ended when it takes too long for the budget.
+Result MeasureWithin(
+  double seconds, const std::function<Result()>& measure, const WantsToStop& stop)
+{
+  const double start = Now().Wall;
+  bool late = false;
+  Result result = InChild(measure,
+    [&]
+    {
+      late = late || Now().Wall - start > seconds;
+      return late || (stop && stop());
+    });
+  if (late && !result.Ran)
+  {
+    std::snprintf(result.Reason, sizeof result.Reason,
+      "ended after %.0f s, more than a quarter of the budget; a greater --budget gives it time",
+      seconds);
+  }
+  return result;
+}
+
 std::vector<Job> MakeJobs(const SessionOptions& options, const std::vector<StagePointer>& stages)
 {
   std::vector<Job> jobs;
@@ -79,6 +134,7 @@ std::vector<Job> MakeJobs(const SessionOptions& options, const std::vector<Stage
     if (main || only)
     {
       AddSkyJobs(jobs, stage);
+      AddBeamJobs(jobs, stage);
       AddIrradianceJobs(jobs, stage);
       AddLampJobs(jobs, stage);
     }
@@ -91,9 +147,15 @@ std::vector<Job> MakeJobs(const SessionOptions& options, const std::vector<Stage
     {
       AddThreadJobs(jobs, stage);
     }
-    for (std::size_t j = before; j < jobs.size() && !main; ++j)
+    // The main setting of every method comes before further values of a parameter on any scene.
+    const bool first = k < options.Rasters.size() || begins(stage, { "hills" });
+    const int later = first ? 0 : main ? 1 : 2;
+    for (std::size_t j = before; j < jobs.size(); ++j)
     {
-      jobs[j].What.Turn += jobs[j].What.Quantity == "frame" ? 0 : 1;
+      const std::string& quantity = jobs[j].What.Quantity;
+      jobs[j].What.Turn += quantity == "frame" ? 0
+        : quantity == "horizon"                ? std::min(later, 1)
+                                               : later;
     }
   }
   const auto wanted = [&](const Task& task)
@@ -104,22 +166,16 @@ std::vector<Job> MakeJobs(const SessionOptions& options, const std::vector<Stage
   jobs.erase(
     std::remove_if(jobs.begin(), jobs.end(), [&](const Job& job) { return !wanted(job.What); }),
     jobs.end());
-  // Scenes and quantities take turns, so that no time is too short for some of each.
-  std::map<std::tuple<int, std::string, std::string>, int> counts;
-  std::vector<std::pair<std::pair<int, int>, std::size_t>> order;
-  for (std::size_t j = 0; j < jobs.size(); ++j)
+  // Chart by chart within a turn: one method alone says little.
+  const auto place = [&](const Task& task)
   {
-    const Task& task = jobs[j].What;
-    order.push_back({ { task.Turn, counts[{ task.Turn, task.Quantity, task.Scene }]++ }, j });
-  }
-  std::sort(order.begin(), order.end());
-  std::vector<Job> sorted;
-  sorted.reserve(jobs.size());
-  for (const auto& place : order)
-  {
-    sorted.push_back(std::move(jobs[place.second]));
-  }
-  return sorted;
+    const auto quantity = std::find_if(Quantities().begin(), Quantities().end(),
+      [&](const Quantity& one) { return one.Name == task.Quantity; });
+    return std::pair(task.Turn, quantity - Quantities().begin());
+  };
+  std::stable_sort(jobs.begin(), jobs.end(),
+    [&](const Job& a, const Job& b) { return place(a.What) < place(b.What); });
+  return jobs;
 }
 
 } // namespace
@@ -129,6 +185,7 @@ Session RunSession(const SessionOptions& options, const Tell& tell, const WantsT
   Session session;
   const double start = Now().Wall;
   const auto stopped = [&] { return stop && stop(); };
+  session.Budget = options.Budget;
   session.Machine = MachineFacts();
   const std::vector<StagePointer> stages = MakeStages(options, stop);
   for (const StagePointer& stage : stages)
@@ -136,6 +193,14 @@ Session RunSession(const SessionOptions& options, const Tell& tell, const WantsT
     session.Scenes.emplace_back(stage->Scene.Name, stage->Scene.Description);
   }
   const std::vector<Job> jobs = MakeJobs(options, stages);
+  if (jobs.empty())
+  {
+    throw std::runtime_error(
+      "nothing to measure: no method chosen is measured for the quantities "
+      "chosen on these scenes; leave out --methods, --quantities or --scenes");
+  }
+  const TemporaryFiles files;
+  const double longest = std::max(LeastLimit, 0.25 * options.Budget); // of one measurement
   for (std::size_t k = 0; k < jobs.size() && !stopped(); ++k)
   {
     const Job& job = jobs[k];
@@ -145,10 +210,12 @@ Session RunSession(const SessionOptions& options, const Tell& tell, const WantsT
       continue;
     }
     tell(k, jobs.size(), job.What.Scene + ": " + job.What.Label + ", " + job.What.Quantity);
+    const double begin = Now().Wall;
     job.Prepare();
     if (!stopped())
     {
-      session.Findings.push_back({ job.What, InChild(job.Measure, stop) });
+      session.Findings.push_back({ job.What, MeasureWithin(longest, job.Measure, stop) });
+      session.Findings.back().Seconds = Now().Wall - begin;
     }
   }
   session.Machine.emplace_back("load at the end", Load());

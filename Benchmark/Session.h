@@ -34,6 +34,7 @@ struct Session
   std::vector<Finding> Findings;                            ///< in the order of the jobs
   std::vector<Task> LeftOut;                                ///< for want of time
   double Seconds = 0.0;
+  double Budget = 0.0; ///< SessionOptions::Budget
 };
 
 /// Told before every measurement: how many are done, how many there are, which comes.

@@ -2,23 +2,24 @@
 #include "Jobs.h"
 
 #include "DeviceRun.h"
-#include "External.h"
-#include "GrassLocation.h"
+#include "EmbreeLight.h"
+#include "PeerSuns.h"
 #include "SceneImage.h"
-#include "Similarity.h"
+#include "SunScore.h"
 
 #include "vtkDataArray.h"
+#include "vtkHeightFieldIrradiance.h"
 #include "vtkHeightFieldSunShadow.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkOpenGLHeightFieldDevice.h"
+#include "vtkOpenGLShadowHeightMap.h"
 #include "vtkPointData.h"
 #include "vtkShadowHeightMap.h"
+#include "vtkSkylineSunLight.h"
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
+#include <cstdio>
 #include <functional>
-#include <stdexcept>
 #include <string>
 
 namespace skyline
@@ -29,87 +30,19 @@ namespace benchmark
 namespace
 {
 
-using Lit = std::function<bool(std::size_t post)>; // of the whole scene, row by row from the south
+using Kind = SunScore::Kind;
 
-// Counts posts on the wrong side of shadows, and how alike the pictures are, sun by sun.
-class SunScore
-{
-public:
-  explicit SunScore(Stage& stage)
-    : Field(stage.Scene.Field)
-    , Right(stage.SunHorizons())
-    , Side(stage.WindowSide())
-  {
-  }
-
-  void Add(std::size_t sun, const Lit& lit)
-  {
-    std::vector<double> found, right;
-    for (std::size_t i = 0; i < this->Right.Posts.size(); ++i)
-    {
-      const auto post = static_cast<std::size_t>(this->Right.Posts[i]);
-      const double elevation = this->Right.Elevation(sun, i);
-      if (!std::isfinite(elevation))
-      {
-        found.push_back(0.0);
-        right.push_back(0.0);
-        continue;
-      }
-      const bool isLit = elevation < Suns[sun].Elevation;
-      const double light = this->Light(static_cast<std::ptrdiff_t>(post), Suns[sun]);
-      right.push_back(isLit ? light : 0.0);
-      found.push_back(lit(post) ? light : 0.0);
-      this->Wrong += lit(post) == isLit ? 0.0 : 1.0;
-      this->Posts += 1.0;
-    }
-    this->Similarities += StructuralSimilarity(found, right, this->Side);
-  }
-
-  void Report(Result& result) const
-  {
-    result.WrongPercent = 100.0 * this->Wrong / this->Posts;
-    result.Similarity = this->Similarities / static_cast<double>(Suns.size());
-    result.Error.Samples = this->Posts;
-    result.PrepareNs = result.SearchNs = NotMeasured;
-    result.Ran = true;
-  }
-
-private:
-  // Of a white surface, 0 to 1; posts that turn away still show where shadows lie.
-  double Light(std::ptrdiff_t post, const SunAt& sun) const
-  {
-    double east = 0.0, north = 0.0;
-    oracle::Gradient(
-      this->Field, post % this->Field.Columns, post / this->Field.Columns, east, north);
-    const double azimuth = sun.Azimuth * RadiansPerDegree;
-    const double elevation = sun.Elevation * RadiansPerDegree;
-    const double cosine =
-      (std::sin(elevation) -
-        std::cos(elevation) * (east * std::sin(azimuth) + north * std::cos(azimuth))) /
-      std::sqrt(1.0 + east * east + north * north);
-    return 0.2 + 0.8 * std::max(0.0, cosine);
-  }
-
-  const oracle::OracleField& Field;
-  const Truth& Right;
-  std::ptrdiff_t Side;
-  double Wrong = 0.0, Posts = 0.0, Similarities = 0.0;
-};
-
-// A filter of ours for all suns; lit(filter, post).
-template <typename Filter>
-Result MeasureFilter(
-  Stage& stage, Filter* filter, const std::function<bool(Filter*, std::size_t)>& lit)
+// A filter of ours for all suns: set(sun) turns its light, value(post) reads its output.
+Result MeasureSuns(Stage& stage, Kind kind, vtkAlgorithm* filter,
+  const std::function<void(const SunAt&)>& set, const SunOf& value)
 {
   const auto image = ImageOf(stage.Scene.Field);
-  filter->SetInputData(image);
-  filter->SetSunAngularRadius(0.0);
-  SunScore score(stage);
+  filter->SetInputDataObject(0, image);
+  SunScore score(stage, kind);
   Result sum;
   for (std::size_t sun = 0; sun < Suns.size(); ++sun)
   {
-    filter->SetSunAzimuth(Suns[sun].Azimuth);
-    filter->SetSunElevation(Suns[sun].Elevation);
+    set(Suns[sun]);
     const Result one =
       TimeUpdates(filter, image, stage.Work, static_cast<double>(stage.Scene.Field.Heights.size()));
     const auto add = [&](double Result::*member)
@@ -124,146 +57,114 @@ Result MeasureFilter(
     add(&Result::ColdNs);
     sum.Repeats = one.Repeats;
     sum.FloatsPerPost = sun == 0 ? one.FloatsPerPost : sum.FloatsPerPost;
-    score.Add(sun, [&](std::size_t post) { return lit(filter, post); });
+    score.Add(sun, value);
   }
   score.Report(sum);
   return sum;
+}
+
+vtkDataArray* ArrayOf(vtkAlgorithm* filter, const char* name)
+{
+  return vtkImageData::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData()->GetArray(name);
 }
 
 Result MeasureShadow(Stage& stage, int method)
 {
   vtkNew<vtkHeightFieldSunShadow> filter;
   filter->SetMethod(method);
-  return MeasureFilter<vtkHeightFieldSunShadow>(stage, filter,
-    [](vtkHeightFieldSunShadow* shadow, std::size_t post)
+  filter->SetSunAngularRadius(0.0);
+  return MeasureSuns(
+    stage, Kind::Lit, filter,
+    [&](const SunAt& sun)
     {
-      vtkDataArray* seen = shadow->GetOutput()->GetPointData()->GetArray("SunVisibility");
-      return seen->GetComponent(static_cast<vtkIdType>(post), 0) > 0.5;
+      filter->SetSunAzimuth(sun.Azimuth);
+      filter->SetSunElevation(sun.Elevation);
+    },
+    [&](std::size_t post)
+    {
+      const double seen =
+        ArrayOf(filter, "SunVisibility")->GetComponent(static_cast<vtkIdType>(post), 0);
+      return seen > 0.5 ? seen : 0.0;
     });
 }
 
-Result MeasureShadowHeight(Stage& stage, int method)
+Result MeasureBeam(Stage& stage, int method)
 {
-  vtkNew<vtkShadowHeightMap> filter;
+  vtkNew<vtkHeightFieldIrradiance> filter;
+  vtkNew<vtkSkylineSunLight> light;
+  light->SetAngularRadius(0.0);
   filter->SetMethod(method);
-  return MeasureFilter<vtkShadowHeightMap>(stage, filter,
-    [](vtkShadowHeightMap* map, std::size_t post)
+  filter->AddLight(light);
+  return MeasureSuns(
+    stage, Kind::Beam, filter,
+    [&](const SunAt& sun)
     {
-      vtkPointData* data = map->GetOutput()->GetPointData();
+      light->SetAzimuth(sun.Azimuth);
+      light->SetElevation(sun.Elevation);
+    },
+    [&](std::size_t post)
+    { return ArrayOf(filter, "Irradiance")->GetComponent(static_cast<vtkIdType>(post), 0); });
+}
+
+Result MeasureShadowHeight(Stage& stage, int method, vtkShadowHeightMap* filter)
+{
+  filter->SetMethod(method);
+  filter->SetSunAngularRadius(0.0);
+  return MeasureSuns(
+    stage, Kind::Lit, filter,
+    [&](const SunAt& sun)
+    {
+      filter->SetSunAzimuth(sun.Azimuth);
+      filter->SetSunElevation(sun.Elevation);
+    },
+    [&](std::size_t post)
+    {
       const auto at = static_cast<vtkIdType>(post);
-      return data->GetArray("ShadowHeight")->GetComponent(at, 0) <=
-        data->GetScalars("Elevation")->GetComponent(at, 0);
+      const double shadow = ArrayOf(filter, "ShadowHeight")->GetComponent(at, 0);
+      return shadow <= ArrayOf(filter, "Elevation")->GetComponent(at, 0) ? 1.0 : 0.0;
     });
 }
 
-// One run of another program for each sun; run(sun, cost) returns who is lit.
-Result MeasurePeer(Stage& stage, const std::function<Lit(const SunAt&, Cost&)>& run)
+Result MeasureDeviceShadowHeight(Stage& stage)
 {
-  SunScore score(stage);
-  Laps laps;
-  Cost sum;
-  for (std::size_t sun = 0; sun < Suns.size(); ++sun)
-  {
-    Cost cost;
-    const Lit lit = run(Suns[sun], cost);
-    sum.Cpu += cost.Cpu;
-    sum.Wall += cost.Wall;
-    score.Add(sun, lit);
-  }
-  laps.Add({}, { sum.Cpu, sum.Wall });
-  Result result;
-  laps.Report(result,
-    static_cast<double>(stage.Scene.Field.Heights.size()) * static_cast<double>(Suns.size()));
-  score.Report(result);
+  vtkNew<vtkOpenGLShadowHeightMap> filter;
+  RequireDevice(filter->GetDevice());
+  Result result = MeasureShadowHeight(stage, vtkHeightFieldAlgorithm::EXACT, filter);
+  CheckOnDevice(filter->IsOnDevice());
+  KeepWallOnly(result);
+  std::snprintf(result.Reason, sizeof result.Reason, "%s",
+    filter->GetDevice()->GetName().substr(0, 150).c_str());
   return result;
 }
 
-Result MeasureSaga(Stage& stage)
+// One run of another program for each sun.
+Result MeasurePeer(Stage& stage, Kind kind, PeerSun (*make)(const oracle::OracleField& field))
 {
   const oracle::OracleField& field = stage.Scene.Field;
-  const ScratchFolder folder;
-  WriteSagaGrid(field, folder.File("heights"));
-  return MeasurePeer(stage,
-    [&](const SunAt& sun, Cost& cost) -> Lit
-    {
-      cost = RunProgram({ "saga_cmd", "-c=1", "ta_lighting", "0",
-        "-ELEVATION=" + folder.File("heights.sgrd"), "-SHADE=" + folder.File("shade.sgrd"),
-        "-METHOD=2", "-AZIMUTH=" + std::to_string(sun.Azimuth),
-        "-DECLINATION=" + std::to_string(sun.Elevation) });
-      constexpr float dark = 0.4999f * static_cast<float>(Pi); // a right angle stands for shadow
-      return [shade = ReadSagaGrid(field, folder.File("shade"))](std::size_t post)
-      { return shade[post] < dark; };
-    });
-}
-
-// Shades slopes and casts no shadow: what many maps show in its place.
-Result MeasureHillshade(Stage& stage)
-{
-  const oracle::OracleField& field = stage.Scene.Field;
-  const ScratchFolder folder;
-  WriteSagaGrid(field, folder.File("heights"));
-  return MeasurePeer(stage,
-    [&](const SunAt& sun, Cost& cost) -> Lit
-    {
-      cost = RunProgram({ "gdaldem", "hillshade", folder.File("heights.sdat"),
-        folder.File("shade.bil"), "-of", "EHdr", "-compute_edges", "-az",
-        std::to_string(sun.Azimuth), "-alt", std::to_string(sun.Elevation) });
-      std::vector<char> shade(field.Heights.size());
-      std::ifstream file(folder.File("shade.bil"), std::ios::binary);
-      if (!file.read(shade.data(), static_cast<std::streamsize>(shade.size())))
-      {
-        throw std::runtime_error("gdaldem wrote too little");
-      }
-      return [shade = std::move(shade), &field](std::size_t post)
-      {
-        const auto columns = static_cast<std::size_t>(field.Columns);
-        const std::size_t row = static_cast<std::size_t>(field.Rows) - 1 - post / columns;
-        return static_cast<unsigned char>(shade[row * columns + post % columns]) > 1;
-      };
-    });
-}
-
-Result MeasureGrassSun(Stage& stage, bool solar)
-{
-  const std::string base = FirstLine("grass --config path 2>/dev/null");
-  if (base.empty())
+  const PeerSun run = make(field);
+  SunScore score(stage, kind);
+  Cost cost;
+  for (std::size_t sun = 0; sun < Suns.size(); ++sun)
   {
-    throw std::runtime_error("not installed");
+    const std::vector<float> found = run(Suns[sun], cost);
+    score.Add(sun, [&](std::size_t post) { return static_cast<double>(found[post]); });
   }
-  const oracle::OracleField& field = stage.Scene.Field;
-  const GrassLocation location(field, base);
-  location.Import("heights");
-  return MeasurePeer(stage,
-    [&](const SunAt& sun, Cost& cost) -> Lit
-    {
-      if (solar)
-      {
-        // The place is the equator: declination and hour angle that put the sun there.
-        const double azimuth = sun.Azimuth * RadiansPerDegree;
-        const double elevation = sun.Elevation * RadiansPerDegree;
-        const double declination = std::asin(std::cos(elevation) * std::cos(azimuth));
-        const double hour =
-          std::atan2(-std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
-        cost = location.Run("r.sun",
-          { "elevation=heights", "incidout=shade", "day=80", "nprocs=1",
-            "declination=" + std::to_string(declination),
-            "time=" + std::to_string(12.0 + 12.0 * hour / Pi), "--overwrite" });
-      }
-      else
-      {
-        cost = location.Run("r.sunmask",
-          { "-z", "elevation=heights", "output=shade", "altitude=" + std::to_string(sun.Elevation),
-            "azimuth=" + std::to_string(sun.Azimuth), "--overwrite" });
-      }
-      return [shade = location.Take("shade"), &field, solar](std::size_t post)
-      {
-        const auto columns = static_cast<std::size_t>(field.Columns);
-        const std::size_t row = static_cast<std::size_t>(field.Rows) - 1 - post / columns;
-        const float value = shade[row * columns + post % columns];
-        return solar ? value != GrassLocation::Null && value > 0.0f : value != 1.0f;
-      };
-    });
+  Laps laps;
+  laps.Add({}, { cost.Cpu, cost.Wall });
+  Result result;
+  laps.Report(result, static_cast<double>(field.Heights.size()) * static_cast<double>(Suns.size()));
+  score.Report(result);
+  result.FloatsPerPost = FloatsPerPost(cost, field);
+  return result;
 }
+
+const struct
+{
+  const char* Name;
+  int Method;
+} Searches[] = { { "exact", vtkHeightFieldAlgorithm::EXACT },
+  { "fast", vtkHeightFieldAlgorithm::FAST }, { "sweep", vtkHeightFieldAlgorithm::SWEEP },
+  { "pyramid", vtkHeightFieldAlgorithm::PYRAMID } };
 
 } // namespace
 
@@ -275,27 +176,55 @@ void AddSunJobs(std::vector<Job>& jobs, const StagePointer& stage)
     AddJob(
       jobs, stage, "sun", kind, label, settings, turn, [stage] { stage->SunHorizons(); }, measure);
   };
-  const auto shadow = [&](const char* kind, int method)
+  for (const auto& search : Searches)
   {
-    add(kind, kind, "a point sun, its one azimuth", 1,
-      [stage, method] { return MeasureShadow(*stage, method); });
+    add(search.Name, search.Name, "a point sun, its one azimuth", MainTurn,
+      [stage, method = search.Method] { return MeasureShadow(*stage, method); });
+  }
+  const auto shadowHeight = [stage](int method)
+  {
+    vtkNew<vtkShadowHeightMap> filter;
+    return MeasureShadowHeight(*stage, method, filter);
   };
-  shadow("exact", vtkHeightFieldAlgorithm::EXACT);
-  shadow("fast", vtkHeightFieldAlgorithm::FAST);
-  shadow("sweep", vtkHeightFieldAlgorithm::SWEEP);
-  shadow("pyramid", vtkHeightFieldAlgorithm::PYRAMID);
-  add("shadow-height", "shadow height", "exact", 1,
-    [stage] { return MeasureShadowHeight(*stage, vtkHeightFieldAlgorithm::EXACT); });
-  add("shadow-height", "shadow height, sweep", "Lee & Kim's recurrence as published", 1,
-    [stage] { return MeasureShadowHeight(*stage, vtkHeightFieldAlgorithm::SWEEP); });
-  add("gdaldem", "gdaldem hillshade", "slopes alone, casts no shadow; start and files included", 1,
-    [stage] { return MeasureHillshade(*stage); });
+  add("shadow-height", "shadow height", "exact", MainTurn,
+    [shadowHeight] { return shadowHeight(vtkHeightFieldAlgorithm::EXACT); });
+  add("gdaldem", "gdaldem hillshade", "slopes alone, casts no shadow; start and files included",
+    PeerTurn, [stage] { return MeasurePeer(*stage, Kind::Lit, GdalSun); });
   add("saga", "SAGA hillshade", "ta_lighting 0, with shadows, one thread; start and files included",
-    1, [stage] { return MeasureSaga(*stage); });
-  add("grass", "GRASS r.sunmask", "start and files included", 2,
-    [stage] { return MeasureGrassSun(*stage, false); });
-  add("grass", "GRASS r.sun", "mode 1, incidence angle; start and files included", 3,
-    [stage] { return MeasureGrassSun(*stage, true); });
+    PeerTurn, [stage] { return MeasurePeer(*stage, Kind::Lit, SagaSun); });
+  add("grass", "GRASS r.sunmask", "-z; start and files included", LastTurn,
+    [stage] { return MeasurePeer(*stage, Kind::Lit, GrassSunMask); });
+  add("embree", "Embree", "one occlusion ray a post and sun", PeerTurn,
+    [stage] { return MeasureEmbreeSun(*stage, Kind::Lit); });
+  add("shadow-height", "shadow height, sweep", "Lee & Kim's recurrence as published", PeerTurn,
+    [shadowHeight] { return shadowHeight(vtkHeightFieldAlgorithm::SWEEP); });
+  add("gpu", "GPU shadow height", "exact, wall time", DeviceTurn,
+    [stage] { return MeasureDeviceShadowHeight(*stage); });
+}
+
+void AddBeamJobs(std::vector<Job>& jobs, const StagePointer& stage)
+{
+  const auto add = [&](const char* kind, const char* label, const char* settings, int turn,
+                     const std::function<Result()>& measure)
+  {
+    AddJob(
+      jobs, stage, "beam", kind, label, settings, turn, [stage] { stage->SunHorizons(); }, measure);
+  };
+  for (const auto& search : Searches)
+  {
+    add(search.Name, search.Name, "a point sun of irradiance 1", MainTurn,
+      [stage, method = search.Method] { return MeasureBeam(*stage, method); });
+  }
+  add("grass", "GRASS r.sun",
+    "beam_rad, mode 1, linke_value=0 (no atmosphere), our slopes; start and files included",
+    PeerTurn, [stage] { return MeasurePeer(*stage, Kind::Beam, GrassSun); });
+  add("saga", "SAGA hillshade", "ta_lighting 0, with shadows, one thread; start and files included",
+    PeerTurn, [stage] { return MeasurePeer(*stage, Kind::Beam, SagaSun); });
+  add("gdaldem", "gdaldem hillshade",
+    "ZevenbergenThorne, casts no shadow, 254 shades; start and files included", PeerTurn,
+    [stage] { return MeasurePeer(*stage, Kind::Beam, GdalSun); });
+  add("embree", "Embree", "one occlusion ray a post and sun, then the cosine", PeerTurn,
+    [stage] { return MeasureEmbreeSun(*stage, Kind::Beam); });
 }
 
 } // namespace benchmark

@@ -28,6 +28,8 @@ using namespace skyline::benchmark;
 constexpr int LeastSize = 32;  // of a made scene: below, no window of posts is left
 constexpr int MostSize = 4096; // above, the truth takes longer than the methods
 
+constexpr double MostBudget = 1e6; // seconds
+
 // As the user typed it, words with spaces in quotes.
 std::string CommandLine()
 {
@@ -40,6 +42,16 @@ std::string CommandLine()
     words += (words.empty() ? "" : " ") + (plain ? word : "'" + word + "'");
   }
   return words;
+}
+
+// Empty if it is one.
+std::string CheckBudget(const std::string& text)
+{
+  double seconds = 0.0;
+  const bool number = CLI::detail::lexical_cast(text, seconds);
+  return number && seconds >= 0.0 && seconds <= MostBudget
+    ? ""
+    : text + " is no time; give seconds from 0 to 1000000, as in --budget 600";
 }
 
 // The folder of the report; one that was made here goes again unless it was filled.
@@ -57,11 +69,13 @@ public:
     this->Made = fs::create_directory(path, error);
     if (error)
     {
-      throw skyline::Failure("cannot make the folder " + path + ": " + error.message());
+      throw skyline::Failure("cannot make the folder " + path + ": " + error.message() +
+        "; name another with -o, in a folder that exists");
     }
     if (::access(path.c_str(), W_OK | X_OK) != 0)
     {
-      throw skyline::Failure("no permission to write in the folder " + path);
+      throw skyline::Failure(
+        "no permission to write in the folder " + path + "; name another with -o");
     }
   }
   ~ReportFolder()
@@ -123,7 +137,8 @@ struct BenchmarkCommand
     }
     if (this->Options.Scenes.empty() && this->Options.Rasters.empty())
     {
-      throw skyline::Failure("nothing to measure: no scene and no DEM");
+      throw skyline::Failure(
+        "nothing to measure: no scene and no DEM; name a DEM or leave --scenes none out");
     }
     ReportFolder folder(this->Folder);
     const bool shown = !this->Talk.Quiet && isatty(STDERR_FILENO) != 0;
@@ -223,7 +238,7 @@ void AddBenchmark(CLI::App& program)
     ->add_option("--budget", command->Options.Budget,
       "Seconds after which no measurement begins; what matters most is measured first")
     ->type_name("SECONDS")
-    ->check(CLI::NonNegativeNumber)
+    ->check(CheckBudget, "")
     ->capture_default_str();
   app->add_flag("-q,--quiet", command->Talk.Quiet, "No progress, no last line");
   app->callback([command] { command->Run(CommandLine()); });

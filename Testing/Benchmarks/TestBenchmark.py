@@ -40,6 +40,25 @@ class Page(html.parser.HTMLParser):
         self.text += data
 
 
+def beaten(findings):
+    """Of sweep and pyramid: how many exact or fast beats, and how many there are."""
+    def place(finding):
+        time = finding["wall_median_ns" if finding["quantity"] == "threads" else "cpu_median_ns"]
+        return time, finding["wrong_percent" if finding["quantity"] == "sun" else "rmse"]
+
+    charts = {}
+    for finding in findings:
+        if finding["ran"]:
+            charts.setdefault((finding["quantity"], finding["scene"]), []).append(finding)
+    counts = [0, 0]
+    for chart in charts.values():
+        ours = [place(f) for f in chart if f["method"] in ("exact", "fast")]
+        for paper in (place(f) for f in chart if f["method"] in ("sweep", "pyramid")):
+            counts[0] += any(o != paper and o[0] <= paper[0] and o[1] <= paper[1] for o in ours)
+            counts[1] += bool(ours)
+    return counts
+
+
 class Benchmark(ToolTest):
     def read(self, *names):
         with open(os.path.join(self.folder, *names), encoding="utf-8") as file:
@@ -54,7 +73,8 @@ class Benchmark(ToolTest):
         self.assertEqual(sorted(os.listdir(self.path("report"))),
                          ["index.html", "pareto.svg", "results.csv", "results.json"])
         page = Page(self.read("report", "index.html"))
-        self.assertEqual(page.loads, [], "a page for itself")
+        self.assertEqual([name for name in page.loads if name != ("a", "href")], [],
+                         "a page for itself")
         self.assertEqual(page.open, [], "every element is closed")
         self.assertEqual(page.charts, 4)
         for words in ["my hills", "cone", "'my hills.tif'", "exact over every crossing",
@@ -67,6 +87,9 @@ class Benchmark(ToolTest):
             self.assertEqual((row["label"], row["scene"]), (finding["label"], finding["scene"]))
             self.assertEqual(row["rmse"], "" if "rmse" not in finding
                              else "%.9g" % finding["rmse"])
+        # What the page says of the front follows from the figures.
+        self.assertIn("beats %d of the %d measurements of sweep" % tuple(beaten(session["findings"])),
+                      page.text)
         found = {(f["quantity"], f["scene"], f["label"]): f for f in session["findings"]}
         for scene in ["my hills", "cone"]:
             exact = found["horizon", scene, "exact"]
@@ -90,24 +113,63 @@ class Benchmark(ToolTest):
         # 1024 rays of the truth leave 1 / sqrt(1024) of a penumbra.
         self.assertLess(found["lamp", "lamp, 32 planes"]["rmse"], 3.0)
 
+    def test_peers_are_given_the_same_sun(self):
+        self.succeed("benchmark", "-o", "report", "--scenes", "cone", "--sizes", "64", "--quantities",
+                     "beam,lamp,sky", "--methods", "exact,lamp,embree,grass,saga,gdaldem", "--budget",
+                     60)
+        findings = json.loads(self.read("report", "results.json"))["findings"]
+        found = {(f["quantity"], f["label"]): f for f in findings}
+        exact = found["beam", "exact"]
+        self.assertLess(exact["rmse"], 0.01)
+        self.assertEqual(exact["wrong_percent"], 0.0)
+        ran = {key: f for key, f in found.items() if f["ran"]}
+        for peer in ["GRASS r.sun", "SAGA hillshade", "gdaldem hillshade", "Embree"]:
+            if ("beam", peer) in ran:
+                with self.subTest(peer=peer):
+                    # Another sun, another slope or an atmosphere would err by tens of per cent
+                    # everywhere; a shadow's rim is a few posts, and gdaldem has no shadows.
+                    self.assertLess(abs(ran["beam", peer]["bias"]), 10.0)
+                    self.assertLess(ran["beam", peer]["wrong_percent"], 12.0)
+                    self.assertGreater(ran["beam", peer]["floats_per_post"], 0.0)
+        if ("lamp", "Embree 1024") in ran:
+            # Two draws of 1024 rays.
+            self.assertLess(ran["lamp", "Embree 1024"]["rmse"], 3.0)
+        if ("sky", "GRASS r.sun, diffuse") in ran:
+            # A cone hides little from the level around it.
+            self.assertLess(ran["sky", "GRASS r.sun, diffuse"]["rmse"], 0.1)
+
     def test_no_time_is_said(self):
         self.succeed("benchmark", "-o", "report", "--scenes", "hills", "--sizes", "32",
                      "--budget", 0)
-        self.assertIn("For want of time", self.read("report", "index.html"))
+        page = Page(self.read("report", "index.html"))
+        for words in ["For want of time", "0 of ", "--quantities horizon", "--budget 600"]:
+            self.assertIn(words, page.text)
+        self.assertEqual(page.open, [])
+        session = json.loads(self.read("report", "results.json"))
+        self.assertEqual(session["findings"], [])
+        # The main setting of every method comes before further values of a parameter.
+        labels = [task["label"] for task in session["left_out"]]
+        self.assertLess(labels.index("pyramid"), labels.index("pyramid k=2"))
+        self.assertLess(labels.index("GRASS r.sun"), labels.index("exact 180"))
 
     def test_failures(self):
         self.refused(2, "benchmark")
-        self.refused(2, "benchmark", "-o", "report", "--scenes", "moon")
-        self.refused(2, "benchmark", "-o", "report", "--methods", "magic")
-        self.refused(2, "benchmark", "-o", "report", "--sizes", "8")
-        self.refused(2, "benchmark", "-o", "report", "--budget", "-1")
-        self.refused(1, "benchmark", "-o", "report", "--scenes", "none", says="nothing to measure")
+        self.refused(2, "benchmark", "-o", "report", "--scenes", "moon", says="smooth,hills,")
+        self.refused(2, "benchmark", "-o", "report", "--methods", "magic", says="exact,fast,sweep,")
+        self.refused(2, "benchmark", "-o", "report", "--quantities", "size", says="horizon,sky,")
+        self.refused(2, "benchmark", "-o", "report", "--sizes", "8", says="32 to 4096")
+        for budget in ["-1", "long", "inf", "nan"]:
+            self.refused(2, "benchmark", "-o", "report", "--budget", budget,
+                         says="give seconds from 0 to")
+        self.refused(1, "benchmark", "-o", "report", "--scenes", "none", says="name a DEM")
+        self.refused(1, "benchmark", "-o", "report", "--scenes", "cone", "--sizes", "32", "--methods",
+                     "lamp", "--quantities", "sky", says="leave out --methods")
         self.refused(1, "benchmark", "-o", "report", "--scenes", "none", "gone.tif",
                      says="gone.tif")
         with open(self.path("file"), "w", encoding="utf-8"):
             pass
-        self.refused(1, "benchmark", "-o", "file", says="file is a file")
-        self.refused(1, "benchmark", "-o", "no/such/folder", says="no/such/folder")
+        self.refused(1, "benchmark", "-o", "file", says="name a folder")
+        self.refused(1, "benchmark", "-o", "no/such/folder", says="name another with -o")
 
     def test_interrupted_leaves_nothing(self):
         os.mkdir(self.path("temporary"))
@@ -119,6 +181,9 @@ class Benchmark(ToolTest):
                     [Program.PROGRAM, "benchmark", "-o", "report", "--scenes", "hills", *options],
                     stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.folder,
                     env=environment)
+                begun = time.monotonic()  # on a busy machine a program takes seconds to start
+                while not os.path.isdir(self.path("report")) and time.monotonic() < begun + 60.0:
+                    time.sleep(0.05)
                 time.sleep(wait)
                 self.assertIsNone(running.poll())
                 sent = time.monotonic()

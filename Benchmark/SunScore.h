@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How well a method tells the light of point suns in the window of a stage.
+#ifndef skyline_SunScore_h
+#define skyline_SunScore_h
+
+#include "Result.h"
+#include "Stage.h"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace skyline
+{
+namespace benchmark
+{
+
+/// What a method says of a post (of the whole scene, row by row from the south).
+using SunOf = std::function<double(std::size_t post)>;
+
+/// Collects the suns one by one; edges of the data, of which no truth is known, are left out.
+class SunScore
+{
+public:
+  enum class Kind
+  {
+    Lit, ///< above 0: lit. Counts posts on the wrong side
+    Beam ///< the cosine of incidence, 0 in shadow. Errors in % of the mean
+  };
+
+  SunScore(Stage& stage, Kind kind);
+
+  void Add(std::size_t sun, const SunOf& found);
+
+  /// Errors, wrong posts and the likeness of the shaded pictures.
+  void Report(Result& result) const;
+
+private:
+  double Incidence(std::ptrdiff_t post, const SunAt& sun) const; // cosine, 0 or more
+
+  const oracle::OracleField& Field;
+  const Truth& Right;
+  std::ptrdiff_t Side;
+  Kind What;
+  std::vector<double> FoundBeams, RightBeams;
+  double Wrong = 0.0, Posts = 0.0, Similarities = 0.0;
+};
+
+} // namespace benchmark
+} // namespace skyline
+
+#endif
