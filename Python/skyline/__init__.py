@@ -17,15 +17,25 @@ And the VTK classes themselves, which behave like every wrapped class of VTK:
     skyline.update(reader)                                         # as reader.Update(), but errors are raised
 """
 
-# The base classes of the wrapped ones must be known to Python first.
-from vtkmodules import vtkCommonCore, vtkCommonDataModel, vtkCommonExecutionModel  # noqa: F401
-from vtkmodules import vtkRenderingCore, vtkRenderingOpenGL2  # noqa: F401
+from typing import TYPE_CHECKING, Any
 
-from .SkylineFilters import *  # noqa: F401,F403
-from .SkylineIO import *  # noqa: F401,F403
-from .SkylineRendering import *  # noqa: F401,F403
+from ._native import *  # noqa: F401,F403
+# "as": type checkers hand on only what is renamed.
+from ._doors import Options as Options
+from ._doors import horizon as horizon
+from ._doors import irradiance as irradiance
+from ._doors import shadow_height as shadow_height
+from ._doors import sky_view as sky_view
+from ._doors import sun_position as sun_position
+from ._doors import sun_visibility as sun_visibility
+from ._images import read as read
+from ._images import to_array as to_array
+from ._images import to_image as to_image
+from ._images import write as write
+from ._run import Error as Error
+from ._run import update as update
 
-from ._doors import Options  # noqa: F401
-from ._doors import horizon, irradiance, shadow_height, sky_view, sun_position, sun_visibility  # noqa: F401
-from ._images import read, to_array, to_image, write  # noqa: F401
-from ._run import Error, update  # noqa: F401
+if TYPE_CHECKING:
+
+    def __getattr__(name: str) -> Any:
+        """The wrapped classes, of which VTK has no hints."""

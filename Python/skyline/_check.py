@@ -6,19 +6,26 @@ from __future__ import annotations
 import datetime
 import math
 import operator
+import os
 from typing import Any, Sequence
 
 import numpy as np
 
 
+def short(value: Any) -> str:
+    """The value in one line of a message."""
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
 def number(name: str, value: Any, wanted: str, fits: Any = math.isfinite) -> float:
     """`value` as a finite float for which fits(value) holds; `wanted` says in words which those are."""
     if isinstance(value, (bool, np.bool_, str, bytes)):
-        raise TypeError(f"{name} is {value!r}; give {wanted}")
+        raise TypeError(f"{name} is {short(value)}; give {wanted}")
     try:
         result = float(value)
     except (TypeError, ValueError):
-        raise TypeError(f"{name} is {value!r}; give {wanted}") from None
+        raise TypeError(f"{name} is {short(value)}; give {wanted}") from None
     if not math.isfinite(result) or not fits(result):
         raise ValueError(f"{name} is {result:g}; give {wanted}")
     return result
@@ -29,9 +36,9 @@ def numbers(name: str, values: Any, count: int, wanted: str) -> list[float]:
     try:
         listed = list(values)
     except TypeError:
-        raise TypeError(f"{name} is {values!r}; give {wanted}") from None
+        raise TypeError(f"{name} is {short(values)}; give {wanted}") from None
     if isinstance(values, (str, bytes)) or len(listed) != count:
-        raise ValueError(f"{name} is {values!r}; give {wanted}")
+        raise ValueError(f"{name} is {short(values)}; give {wanted}")
     return [number(name, value, wanted) for value in listed]
 
 
@@ -42,16 +49,37 @@ def whole(name: str, value: Any, least: int, most: int) -> int:
     except TypeError:
         result = None
     if result is None or isinstance(value, (bool, np.bool_)):
-        raise TypeError(f"{name} is {value!r}; give a whole number from {least} to {most}")
+        raise TypeError(f"{name} is {short(value)}; give a whole number from {least} to {most}")
     if not least <= result <= most:
         raise ValueError(f"{name} is {result}; give {least} to {most}")
     return result
 
 
+def flag(name: str, value: Any) -> bool:
+    """True or False; not what merely counts as one: bool("no") is True."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} is {short(value)}; give True or False")
+    return bool(value)
+
+
+def file_name(name: str, value: Any) -> str:
+    """The text of a file's name or path."""
+    try:
+        text = os.fsdecode(value)
+        text.encode()
+    except TypeError:
+        raise TypeError(f"{name} is {short(value)}; give a file's name, as text or a path") from None
+    except UnicodeError:
+        raise ValueError(f"{name} is {short(value)}, which is not Unicode; rename the file") from None
+    if not text or "\0" in text:
+        raise ValueError(f"{name} is {short(value)}; give a file's name")
+    return text
+
+
 def choice(name: str, value: Any, choices: Sequence[str]) -> int:
     """The place of `value` in `choices`."""
     if value not in choices:
-        raise ValueError(f"{name} is {value!r}; give {' or '.join(map(repr, choices))}")
+        raise ValueError(f"{name} is {short(value)}; give {' or '.join(map(repr, choices))}")
     return list(choices).index(value)
 
 
@@ -67,7 +95,7 @@ def direction(name: str, value: Any) -> list[float]:
     wanted = "(azimuth, elevation) in degrees, the elevation from -90 to 90"
     azimuth, elevation = numbers(name, value, 2, wanted)
     number(name + "[1]", elevation, wanted, lambda degrees: abs(degrees) <= 90.0)
-    return [azimuth, elevation]
+    return [math.fmod(azimuth, 360.0), elevation]
 
 
 def moment(value: Any) -> str:
@@ -82,5 +110,5 @@ def moment(value: Any) -> str:
             raise ValueError("time is NaT; give a moment such as '2026-06-21T06:00Z'")
         return str(value.astype("datetime64[ms]")) + "Z"
     if not isinstance(value, str):
-        raise TypeError(f"time is {value!r}; give text such as '2026-06-21T06:00Z' or a datetime")
+        raise TypeError(f"time is {short(value)}; give text such as '2026-06-21T06:00Z' or a datetime")
     return value

@@ -120,7 +120,7 @@ def _terrain(
         image = copy
     return _Terrain(
         image, row0, as_image, array.GetName(), _check.choice("method", method, _METHODS),
-        _check.choice("surface", surface, _SURFACES), bool(flat))
+        _check.choice("surface", surface, _SURFACES), _check.flag("flat", flat))
 
 
 @overload
@@ -187,6 +187,9 @@ def sky_view(
     1.0
     """
     terrain = _terrain(z, spacing, **options)
+    if not isinstance(quantity, (str, list, tuple)):
+        raise TypeError(
+            f"quantity is {_check.short(quantity)}; give a name, or a list of {', '.join(_QUANTITIES)}")
     wanted = [quantity] if isinstance(quantity, str) else list(quantity)
     for name in wanted:
         _check.choice("quantity", name, _QUANTITIES)
@@ -247,7 +250,7 @@ def sun_visibility(
     if radius is not None:
         filter_.SetTrueRadius(False)
         filter_.SetSunAngularRadius(_lights.check_radius(radius))
-    filter_.SetLimbDarkening(bool(limb_darkening))
+    filter_.SetLimbDarkening(_check.flag("limb_darkening", limb_darkening))
     return terrain.result(filter_, "SunVisibility")
 
 
@@ -281,7 +284,7 @@ def shadow_height(
     filter_ = vtkShadowHeightMap()
     filter_.SetSunAzimuth(azimuth)
     filter_.SetSunElevation(elevation)
-    filter_.SetBelowTerrain(bool(below_terrain))
+    filter_.SetBelowTerrain(_check.flag("below_terrain", below_terrain))
     return terrain.result(filter_, "ShadowHeight")
 
 
@@ -332,12 +335,12 @@ def irradiance(
     terrain = _terrain(z, spacing, **options)
     filter_ = vtkHeightFieldIrradiance()
     filter_.SetNumberOfAzimuths(_check.whole("azimuths", azimuths, 1, 3600))
-    filter_.SetHorizontal(bool(horizontal))
+    filter_.SetHorizontal(_check.flag("horizontal", horizontal))
     filter_.SetLightMethod(_check.choice("light_method", light_method, ("table", "sh")))
     lamps, lights = list(_lights.lamp_lights(lamps, terrain.image)), list(lights)
     for place, light in enumerate(lights):
         if not isinstance(light, vtkSkylineLight):
-            raise TypeError(f"lights[{place}] is {light!r}; give a vtkSkylineLight")
+            raise TypeError(f"lights[{place}] is {_check.short(light)}; give a vtkSkylineLight")
     if sun is not None and time is not None:
         raise TypeError("give sun=(azimuth, elevation), or time, and not both")
     direction = None if sun is None else _check.direction("sun", sun)

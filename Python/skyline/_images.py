@@ -65,13 +65,13 @@ def to_image(
     rows, columns = heights.shape
     if transform is None:
         if crs is not None:
-            raise ValueError(f"crs is {_short(crs)} without a transform; give transform= too")
+            raise ValueError(f"crs is {_check.short(crs)} without a transform; give transform= too")
         image = vtkImageData()
         image.SetDimensions(columns, rows, 1)
         image.SetSpacing(*_metres(spacing), 1.0)
         _doubt_degrees(heights, image.GetSpacing()[0])
     elif spacing is not None:
-        raise ValueError(f"spacing is {spacing!r}, but the transform gives it; leave spacing out")
+        raise ValueError(f"spacing is {_check.short(spacing)}, but the transform gives it; leave spacing out")
     else:
         image = _place(rows, columns, crs, _six(transform, rows, south))
     array = _to_vtk(heights if south else heights[::-1])
@@ -96,7 +96,7 @@ def to_array(
     """
     south = bool(_check.choice("row0", row0, ("north", "south")))
     if not isinstance(image, vtkImageData):
-        raise TypeError(f"image is {_short(image)}; give a vtkImageData")
+        raise TypeError(f"image is {_check.short(image)}; give a vtkImageData")
     points = image.GetPointData()
     array = points.GetScalars() if name is None else points.GetArray(name)
     if array is None:
@@ -104,7 +104,7 @@ def to_array(
     columns, rows, slices = image.GetDimensions()
     if slices != 1:
         raise ValueError(f"the image has {slices} slices; give one with a single slice")
-    values = vtk_to_numpy(array)
+    values: NDArray[Any] = vtk_to_numpy(array)
     values = values.reshape((rows, columns) + values.shape[1:])
     return values if south else values[::-1]
 
@@ -119,7 +119,7 @@ def read(file: FileName, band: int = 1) -> vtkImageData:
     (468, 327)
     """
     reader = vtkHeightFieldReader()
-    reader.SetFileName(os.fspath(file))
+    reader.SetFileName(_check.file_name("file", file))
     reader.SetBand(_check.whole("band", band, 1, 2**31 - 1))
     run(reader)
     return reader.GetOutput()
@@ -156,7 +156,7 @@ def write(
     ...     np.array_equal(to_array(read(folder + "/sky.tif")), sky)
     True
     """
-    file = os.fspath(file)
+    file = _check.file_name("file", file)
     listed = [names] if isinstance(names, str) else list(names or [])
     picture = file.lower().endswith((".png", ".exr"))
     if isinstance(values, vtkImageData):
@@ -220,11 +220,6 @@ def _name_bands(writer: vtkHeightFieldWriter, names: list[str], bands: int) -> N
         writer.SetBandDescription(band, name)
 
 
-def _short(value: Any) -> str:
-    text = " ".join(repr(value).split())
-    return text if len(text) <= 60 else text[:57] + "..."
-
-
 def _quoted(name: str | None) -> str:
     return "active point scalars" if name is None else f"point array {name!r}"
 
@@ -257,26 +252,30 @@ def _heights(z: Any, nodata: float | None) -> NDArray[Any]:
     array = _numeric("z", z)
     if array.ndim != 2 or min(array.shape) < 2:
         raise ValueError(f"z has the shape {array.shape}; give (rows, columns), at least 2 x 2")
-    missing = np.ma.getmaskarray(array) if isinstance(array, np.ma.MaskedArray) else None
+    masks: Any = np.ma  # whose functions have no hints everywhere
+    missing = masks.getmaskarray(array) if isinstance(array, np.ma.MaskedArray) else None
     array = np.asarray(array)
     if nodata is not None:
         if np.ndim(nodata) != 0 or isinstance(nodata, (str, bytes, bool)):
-            raise TypeError(f"nodata is {nodata!r}; give one number")
+            raise TypeError(f"nodata is {_check.short(nodata)}; give one number")
         # In the array's own digits, as the file has it; integers hold no fraction.
         with np.errstate(over="ignore"):
             fill = np.float32(nodata) if array.dtype == np.float32 else nodata
-        there = array == fill
-        missing = there if missing is None else missing | there
+        absent = array == fill
+        missing = absent if missing is None else missing | absent
     if missing is not None and missing.any():
         small = array.dtype.itemsize <= 2 or array.dtype == np.float32
         array = array.astype(np.float32 if small else np.float64)
         array[missing] = np.nan
     elif nodata is None:
-        low = np.nanmin(array) if np.isfinite(array).any() else 0
-        if low in _SENTINELS or low < -_ABSURD:
-            warnings.warn(
-                f"the lowest height is {float(low):g}, which often means a missing post: "
-                f"if it does, give nodata={float(low):g}", stacklevel=3)
+        # From 0 on, as one fold without a copy.
+        there: Any = np.isfinite(array)
+        ends = [("lowest", array.min(where=there, initial=0)), ("highest", array.max(where=there, initial=0))]
+        for name, value in ends:
+            if value in _SENTINELS or abs(float(value)) > _ABSURD:
+                warnings.warn(
+                    f"the {name} height is {float(value):g}, which often means a missing post: "
+                    f"if it does, give nodata={float(value)!r}", stacklevel=3)
     return array
 
 
@@ -327,11 +326,11 @@ def _crs_text(crs: Any) -> str:
     if crs is None:
         return ""
     if hasattr(crs, "to_wkt"):
-        return crs.to_wkt()
+        return str(crs.to_wkt())
     if isinstance(crs, int) and not isinstance(crs, bool):
         return f"EPSG:{crs}"
-    if not isinstance(crs, str) or not crs.strip():
-        raise TypeError(f"crs is {_short(crs)}; give 'EPSG:25830', WKT, or an EPSG number")
+    if not isinstance(crs, str) or not crs.strip() or any(c < " " and c not in "\t\n\r" for c in crs):
+        raise TypeError(f"crs is {_check.short(crs)}; give 'EPSG:25830', WKT, or an EPSG number")
     return crs
 
 
@@ -347,10 +346,10 @@ def _place(rows: int, columns: int, crs: Any, six: list[float]) -> vtkImageData:
         run(reader)
     except Error as reason:
         said = str(reason).replace(f"'{raster}'", "the array").replace(raster, "the array")
-        raise Error(f"{said} (crs {_short(crs)}, transform {tuple(six)})") from None
+        raise Error(f"{said} (crs {_check.short(crs)}, transform {tuple(six)})") from None
     found = reader.GetOutput()
     if text and found.GetFieldData().GetAbstractArray("CRS") is None:
-        raise ValueError(f"crs is {_short(crs)}, which names no coordinate system; "
+        raise ValueError(f"crs is {_check.short(crs)}, which names no coordinate system; "
                          "give 'EPSG:25830', WKT, or an EPSG number")
     image = vtkImageData()
     image.CopyStructure(found)

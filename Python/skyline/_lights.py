@@ -11,7 +11,7 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from . import _check
-from ._images import _numeric, _short, _to_vtk
+from ._images import _numeric, _to_vtk
 from ._run import reported, run
 from .SkylineFilters import (
     vtkSkylineEnvironmentLight,
@@ -32,7 +32,7 @@ def environment_light(environment: Any, rotation: Any, sun: Any) -> vtkSkylineEn
     light = vtkSkylineEnvironmentLight()
     light.SetRotation(_check.number("rotation", rotation, "degrees"))
     if isinstance(environment, (str, os.PathLike)):
-        name = os.fspath(environment)
+        name = _check.file_name("environment", environment)
         kind, _, rest = name.partition(":")
         if kind in ("cie", "perez"):
             _set_sky(light, name, kind, rest, sun)
@@ -77,6 +77,11 @@ def _light_map(pixels: Any) -> vtkImageData:
         raise ValueError(
             f"environment has the shape {values.shape}; give (rows, 2 rows, 3), linear RGB, the top "
             "row the zenith")
+    wrong = values[~(np.isfinite(values) & (values >= 0))]
+    if wrong.size:
+        raise ValueError(
+            f"environment holds {wrong[0]:g}; give linear RGB, finite and 0 or more, by "
+            "np.nan_to_num(environment.clip(0)) for instance")
     image = vtkImageData()
     image.SetDimensions(columns, rows, 1)
     radiance = _to_vtk(values[::-1].astype(np.float32))
@@ -122,7 +127,7 @@ def lamp_lights(lamps: Any, terrain: vtkImageData) -> Iterable[vtkSkylineLampLig
     """Lamps (x, y, z, radius) or (x, y, z, radius, red, green, blue)."""
     wanted = "(x, y, z, radius) in metres, or with red, green and blue after them"
     if isinstance(lamps, (str, bytes)) or not np.iterable(lamps):
-        raise TypeError(f"lamps is {_short(lamps)}; give a list of {wanted}")
+        raise TypeError(f"lamps is {_check.short(lamps)}; give a list of {wanted}")
     for place, lamp in enumerate(lamps):
         name = f"lamps[{place}]"
         parts = tuple(lamp) if np.iterable(lamp) else lamp

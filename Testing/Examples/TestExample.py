@@ -139,7 +139,8 @@ for program in PROGRAMS:
     picture = read(os.path.join(OUTPUT, written))
     globals()["check_" + IDEA](picture, said)
     if shown is None:
-        shown = read(os.path.join(SOURCE, "Documentation", "images", "examples", IDEA.replace("_", "-") + ".png"))
+        page = os.path.join(SOURCE, "Documentation", "images", "examples")
+        shown = read(os.path.join(page, IDEA.replace("_", "-") + ".png"))
     assert shown.shape == picture.shape, (shown.shape, picture.shape)
     drift = np.abs(shown - picture).mean()
     assert drift < DRIFT, f"{written} is {drift:.1f} codes from the picture of the page: make it anew"
@@ -147,5 +148,6 @@ for program in PROGRAMS:
 
 for other in pictures[1:]:
     apart = np.abs(pictures[0] - other).max(axis=-1)
-    print(f"{IDEA}: {apart.mean():.5f} codes apart in the mean, {(apart > ROUNDED).mean():.1e} of the pixels more than one")
-    assert (apart > ROUNDED).mean() < OTHER_PIXELS, "C++ and Python show two pictures"
+    others = (apart > ROUNDED).mean()
+    print(f"{apart.mean():.5f} codes apart in the mean, {others:.1e} of the pixels by more than one")
+    assert others < OTHER_PIXELS, "C++ and Python show two pictures"

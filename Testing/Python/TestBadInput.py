@@ -2,6 +2,7 @@
 """Wrong input: one clear exception that names the value and the cure, nothing printed, no crash."""
 
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -46,7 +47,8 @@ class BadInput(unittest.TestCase):
                              call, Z, spacing)
             self.refused(TypeError, "spacing is missing", call, Z)
             self.refused(TypeError, "spacing is True", call, Z, True)
-            self.refused(TypeError, r"spacing is .*metres", call, Z, {"dx": 3}.values)
+            for spacing in [{"dx": 3}.values, np.ones((2, 50))]:
+                self.refused(TypeError, r"spacing is .*metres", call, Z, spacing)
 
     def test_every_post_missing(self):
         for call, options in [(skyline.horizon, {}), (skyline.sky_view, {}),
@@ -68,6 +70,12 @@ class BadInput(unittest.TestCase):
         self.refused(ValueError, "quantity is 'SVF'.*'SkyViewFactor'",
                      skyline.sky_view, Z, 10.0, quantity="SVF")
         self.refused(TypeError, "nodata is", skyline.horizon, Z, 10.0, nodata="none")
+        for quantity in [5, None, {"SkyViewFactor"}]:
+            self.refused(TypeError, "quantity is .*give a name", skyline.sky_view, Z, 10.0, quantity=quantity)
+        for call, name in [(skyline.sun_visibility, "limb_darkening"), (skyline.irradiance, "horizontal"),
+                           (skyline.shadow_height, "below_terrain"), (skyline.shadow_height, "flat")]:
+            self.refused(TypeError, f"{name} is 'no'; give True or False",
+                         call, Z, 10.0, sun=(1, 2), **{name: "no"})
 
     def test_suns(self):
         sun = skyline.sun_visibility
@@ -90,7 +98,8 @@ class BadInput(unittest.TestCase):
         self.refused(ValueError, "leave spacing out", to_image, Z, 10.0, transform=NORTH_UP)
         self.refused(ValueError, "crs is 'EPSG:1'", to_image, Z, crs="EPSG:1", transform=NORTH_UP)
         self.refused(ValueError, "crs is 'there'", to_image, Z, crs="there", transform=NORTH_UP)
-        self.refused(TypeError, "crs is 5.5", to_image, Z, crs=5.5, transform=NORTH_UP)
+        for crs in [5.5, "EPSG:\0", b"EPSG:32631", " "]:
+            self.refused(TypeError, "crs is ", to_image, Z, crs=crs, transform=NORTH_UP)
         # rasterio's order, a turned raster, columns that run west, no step, no number
         for six in [(30.0, 0.0, 5e5, 0.0, -30.0, 4.6e6), (5e5, 30.0, 1.0, 4.6e6, 1.0, -30.0),
                     (5e5, -30.0, 0.0, 4.6e6, 0.0, -30.0), (5e5, 30.0, 0.0, 4.6e6, 0.0, 0.0)]:
@@ -108,6 +117,9 @@ class BadInput(unittest.TestCase):
         self.refused(skyline.Error, "nosuch.hdr", light, Z, 10.0, "nosuch.hdr")
         for shape in [(4, 4, 3), (4, 8), (4, 8, 4), (0, 0, 3)]:
             self.refused(ValueError, "environment has the shape", light, Z, 10.0, np.zeros(shape))
+        for radiance in [NAN, INF, -1.0]:
+            self.refused(ValueError, "environment holds .*finite and 0 or more",
+                         light, Z, 10.0, np.full((4, 8, 3), radiance))
         for strength in [-1.0, NAN, (1.0, 2.0), (1.0, -1.0, 1.0)]:
             self.refused(ValueError, "sun_irradiance", light, Z, 10.0, sun=(1, 2),
                          sun_irradiance=strength)
@@ -129,6 +141,12 @@ class BadInput(unittest.TestCase):
         self.refused(skyline.Error, "nosuch.tif.*check the path", skyline.read, "nosuch.tif")
         self.refused(skyline.Error, "nosuch.tif", skyline.sky_view, "nosuch.tif")
         self.refused(ValueError, "band is 0", skyline.read, "nosuch.tif", 0)
+        for name in ["", "dem\0.tif", "\udcff.tif"]:
+            self.refused(ValueError, "file is .*", skyline.read, name)
+            self.refused(ValueError, "file is .*", skyline.write, name, Z, image)
+            self.refused(ValueError, "environment is .*", skyline.irradiance, Z, 10.0, name)
+        for name in [None, 5, Z]:
+            self.refused(TypeError, "file is .*give a file's name", skyline.read, name)
         image.SetDimensions(3, 2, 2)
         self.refused(skyline.Error, "2 slices", skyline.horizon, image)
 
@@ -145,6 +163,37 @@ class BadInput(unittest.TestCase):
             self.refused(skyline.Error, "Nothing", skyline.write, file, image, names="Nothing")
             self.refused(skyline.Error, "no/such", skyline.write, folder + "/no/such/out.tif", image)
             self.assertEqual(os.listdir(folder), [])
+
+
+class NotThere(unittest.TestCase):
+    """What a user of the wrong Python, or of half a build, is told."""
+
+    def said(self, code, path=None):
+        environment = dict(os.environ, PYTHONPATH=path or os.environ["PYTHONPATH"])
+        done = subprocess.run([sys.executable, "-c", code], env=environment, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertNotIn("During handling", done.stdout)
+        return done.stdout.splitlines()[-1]
+
+    def test_modules(self):
+        for name in ["numpy", "vtkmodules"]:
+            said = self.said(f"import sys; sys.modules['{name}'] = None; import skyline")
+            self.assertRegex(said, f"ImportError: skyline needs numpy and VTK.*{name}.*python3-vtk9")
+
+    def test_another_build(self):
+        package = os.path.dirname(skyline.__file__)
+        with tempfile.TemporaryDirectory() as folder:
+            copy = os.path.join(folder, "skyline")
+            shutil.copytree(package, copy, ignore=shutil.ignore_patterns("*.so", "__pycache__"))
+            self.assertRegex(self.said("import skyline", folder),
+                             "ImportError: skyline's compiled modules cannot be loaded: .*SkylineFilters.*bootstrap")
+            for name, version, says in [("PYTHON_VERSION", "3.7", r"built for Python 3.7, but .*DPython3_EXEC"),
+                                        ("VTK_VERSION", "9.99.0", "built with VTK 9.99.0, but .* is VTK 9")]:
+                shutil.copy(os.path.join(package, "_built.py"), copy)
+                with open(os.path.join(copy, "_built.py"), "a", encoding="utf-8") as file:
+                    file.write(f"{name} = {version!r}\n")
+                self.assertRegex(self.said("import skyline", folder), f"ImportError: skyline was {says}")
 
 
 class Quiet(unittest.TestCase):

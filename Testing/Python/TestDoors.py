@@ -74,6 +74,12 @@ class Orientation(unittest.TestCase):
         seen = skyline.horizon(z, (20.0, 1.0), azimuths=4)
         self.assertAlmostEqual(seen[3, 1, 3], math.degrees(math.atan(0.5)), delta=FLOAT)
 
+    def test_azimuths_go_round(self):
+        z = hills()
+        once = skyline.sun_visibility(z, 10.0, sun=(30.0, 12.0))
+        for azimuth in [390.0, -330.0, 30.0 + 360.0 * 2**40]:
+            self.assertTrue(np.array_equal(skyline.sun_visibility(z, 10.0, sun=(azimuth, 12.0)), once))
+
     def test_shadow_falls_away_from_the_sun(self):
         z = np.zeros((30, 5))
         z[15] = 100.0
@@ -131,6 +137,12 @@ class Numbers(unittest.TestCase):
             warnings.simplefilter("error")
             skyline.sky_view(z, 10.0, 8, nodata=-9999)
             skyline.sky_view(hills() - 5000.0, 10.0, 8)
+        high = hills().astype(np.float32)
+        high[3, 3] = np.finfo(np.float32).max
+        with self.assertWarnsRegex(UserWarning, r"highest height .*nodata=(\S+)") as warned:
+            skyline.sky_view(high, 10.0, 8)
+        told = float(str(warned.warning).split("nodata=")[1])
+        self.assertEqual(np.isnan(skyline.sky_view(high, 10.0, 8, nodata=told)).sum(), 1)
 
     def test_degrees_taken_for_metres_warn(self):
         with self.assertWarnsRegex(UserWarning, "spacing is 0.000833.*crs"):
