@@ -371,9 +371,15 @@ bool HorizonScene::TakesColumns(const std::vector<double>& azimuths) const
 void HorizonScene::DemandFloats(
   const char* what, std::ptrdiff_t floats, const std::vector<double>& azimuths) const
 {
-  const std::ptrdiff_t all = floats + (this->TakesColumns(azimuths) ? 1 : 0);
-  DemandMemory(
-    what, this->Posts().Columns, this->Posts().Rows, static_cast<double>(all) * sizeof(float));
+  double all = static_cast<double>(floats + (this->TakesColumns(azimuths) ? 1 : 0));
+  if (this->Settings.Method == HorizonMethodKind::Pyramid && !(this->Kept && this->Kept->Pyramid))
+  {
+    // Each level is 1 / b of the one below in rows, and of its own samples 1 / b^2 (HeightPyramid.h).
+    const double ratio = std::exp2(-1.0 / this->Settings.Pyramid.LevelStep);
+    const double copies = 1.0 / (1.0 - ratio) + 1.0 / (1.0 - ratio * ratio);
+    all += copies * (this->Field.HasMissing() ? 2.0 : 1.0);
+  }
+  DemandMemory(what, this->Posts().Columns, this->Posts().Rows, all * sizeof(float));
 }
 
 vtkFloatArray* HorizonScene::AddArray(vtkImageData* output, const char* name, int components) const
