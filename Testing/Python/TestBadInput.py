@@ -50,6 +50,10 @@ class BadInput(unittest.TestCase):
             for spacing in [{"dx": 3}.values, np.ones((2, 50))]:
                 self.refused(TypeError, r"spacing is .*metres", call, Z, spacing)
 
+    def test_more_than_memory_holds(self):
+        z = np.zeros((6000, 6000), np.float32)
+        self.refused(skyline.Error, "horizons of 6000 x 6000 posts take 518.* GB", skyline.horizon, z, 30.0, 3600)
+
     def test_every_post_missing(self):
         for call, options in [(skyline.horizon, {}), (skyline.sky_view, {}),
                               (skyline.sun_visibility, {"sun": (1, 2)}),
