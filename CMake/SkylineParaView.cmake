@@ -6,11 +6,10 @@ find_package(ParaView 5.11 QUIET COMPONENTS RemotingCore RemotingServerManager R
 if (NOT ParaView_FOUND)
   message(FATAL_ERROR "SKYLINE_PARAVIEW: no ParaView 5.11 or later with its headers at ParaView_DIR "
     "'${ParaView_DIR}' (${ParaView_NOT_FOUND_MESSAGE}). Utilities/install-paraview FOLDER fetches "
-    "that of Debian 12; ./bootstrap paraview does it all.")
+    "that of Debian; ./bootstrap paraview does it all.")
 endif ()
-if (ParaView_VERSION VERSION_GREATER_EQUAL 5.12)
-  message(FATAL_ERROR "SKYLINE_PARAVIEW: ParaView ${ParaView_VERSION} draws surfaces by another "
-    "mapper than 5.11, which the plugin is written for; give ParaView_DIR of a ParaView 5.11.")
+if (ParaView_VERSION VERSION_GREATER_EQUAL 5.14)
+  message(WARNING "SKYLINE_PARAVIEW: tested with ParaView 5.11 and 5.13, not with ${ParaView_VERSION}")
 endif ()
 # In ParaView's own VTK alone: a system's VTK beside it would be mixed in.
 set(VTK_DIR "${ParaView_DIR}/vtk" CACHE PATH "ParaView's VTK" FORCE)
