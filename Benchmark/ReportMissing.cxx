@@ -117,7 +117,7 @@ void WriteNotMeasured(std::ostream& out, const Session& session)
   out << "<h2 id=\"missing\">Not measured</h2>\n";
   if (failed)
   {
-    out << "<p>Tried, and not possible here:</p><ul>\n";
+    out << "<p>Tried, without a result:</p><ul>\n";
     WriteFailed(out, session);
     out << "</ul>\n";
   }
