@@ -24,7 +24,7 @@ def start_server(log):
     environment = {name: value for name, value in os.environ.items()
                    if not name.startswith(marks) or name.startswith("OMPI_ALLOW_RUN_AS_ROOT")}
     server = subprocess.Popen(command, stdout=log, stderr=subprocess.STDOUT, env=environment)
-    for _ in range(600):
+    for _ in range(1200):
         if "Accepting connection" in open(log.name, encoding="utf-8").read():
             return server, port
         if server.poll() is not None:
