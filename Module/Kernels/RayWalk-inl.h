@@ -157,9 +157,12 @@ HWY_INLINE Vector InsidePatch(Mask complete, Vector best, const RayFrame& frame,
   const auto peaked =
     hn::And(complete, hn::And(hn::Lt(bend, hn::Zero(tag)), hn::Lt(a, hn::Zero(tag))));
   // From the entry, not as b - 2 sqrt(a bend): far from the receiver that difference loses digits.
-  // Where there is no maximum, -1 keeps 0 / 0 and overflows out of lanes that nobody reads.
+  // Where there is no maximum, -1 keeps 0 / 0 out of lanes that nobody reads; a maximum beyond the exit
+  // is at the exit, which keeps out overflows of missing heights over a bend of nearly 0.
   const Vector divisor = hn::IfThenElse(peaked, bend, hn::Set(tag, -1.0f));
-  const Vector t = hn::Min(hn::Max(hn::Sqrt(hn::Max(hn::Div(a, divisor), hn::Zero(tag))), t0), t1);
+  const Vector least = hn::Mul(divisor, hn::Mul(t1, t1));
+  const Vector square = hn::Max(hn::Div(hn::Max(a, least), divisor), hn::Zero(tag));
+  const Vector t = hn::Min(hn::Max(hn::Sqrt(square), t0), t1);
   const Vector height = hn::MulAdd(hn::Sub(t, t0), hn::MulAdd(bend, hn::Sub(t, t1), rise), low);
   return hn::IfThenElse(peaked, hn::Max(best, hn::Div(height, t)), best);
 }
