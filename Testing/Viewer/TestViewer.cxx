@@ -92,6 +92,31 @@ TEST_F(ViewerTest, CameraMovesWithoutNewLight)
   EXPECT_NEAR(camera->GetDistance(), distance, 1.0e-6 * distance);
 }
 
+TEST_F(ViewerTest, CameraStaysAboveTheGround)
+{
+  this->Open();
+  this->View->MouseMove(300, 100);
+  this->DragTo(340, 200);
+  vtkCamera* camera = this->View->GetScene().GetRenderer()->GetActiveCamera();
+  EXPECT_NEAR(camera->GetPosition()[2], camera->GetFocalPoint()[2], 1.0e-6);
+  EXPECT_GT(this->View->GetScene().GetHeading(), 0.0) << "it still turns";
+}
+
+// What the picture has in its middle stays there while the camera turns about it.
+TEST_F(ViewerTest, CameraTurnsAboutTheGroundInTheMiddle)
+{
+  this->Open();
+  ScenePoint before;
+  ScenePoint after;
+  ASSERT_TRUE(this->View->GetScene().FindPlace(0.5 * Width, 0.5 * Height, before));
+  this->View->MouseMove(100, 200);
+  this->DragTo(300, 200);
+  this->Rest();
+  ASSERT_TRUE(this->View->GetScene().FindPlace(0.5 * Width, 0.5 * Height, after));
+  const double pixel = this->View->GetScene().GetMetresAPixel();
+  EXPECT_LT(std::hypot(after[0] - before[0], after[1] - before[1]), 3.0 * pixel);
+}
+
 TEST_F(ViewerTest, SlidersTakeTheMouse)
 {
   this->Open();

@@ -31,7 +31,7 @@ constexpr Color Light{ { 240, 240, 235, 255 } };
 constexpr Color Warm{ { 255, 190, 70, 255 } };
 constexpr double KnobRadius = 8.0; // pixels for a font of 14
 constexpr int KnobCorners = 20;
-constexpr double PanelOpacity = 0.5;
+constexpr double PanelOpacity = 0.65;
 
 // Convex polygons, each of one colour.
 class Canvas
@@ -186,9 +186,17 @@ void Hud::Show(const HudContent& content, const HudLayout& layout)
   const double unit = size / 14.0; // the scale of the layout
   Canvas canvas(this->Shapes);
 
-  this->Write(
-    this->Status, layout.Status ? content.Status : std::string(), margin, height - margin, size);
-  this->Write(this->Times, layout.Times ? content.Times : std::string(), width - margin,
+  // Help shrinks until it fits; then it leaves no room for other lines.
+  const double lines = 25.0;
+  const double letters = 92.0;
+  const int fitting = static_cast<int>(
+    std::min({ static_cast<double>(size), height / (lines * 1.25), width / (letters * 0.62) }));
+  const bool crowded = !content.Help.empty() && fitting < size;
+  const bool status = layout.Status && !crowded;
+  const bool times = layout.Times && !crowded;
+
+  this->Write(this->Status, status ? content.Status : std::string(), margin, height - margin, size);
+  this->Write(this->Times, times ? content.Times : std::string(), width - margin,
     height - 2.0 * margin - 2.0 * layout.ArrowRadius, size);
 
   double above = margin;
@@ -230,11 +238,6 @@ void Hud::Show(const HudContent& content, const HudLayout& layout)
     canvas.Box({ left, layout.BarRight[1], pixels, 5.0 * unit }, Light);
   }
 
-  // Help shrinks until it fits.
-  const double lines = 25.0;
-  const double letters = 92.0;
-  const int fitting = static_cast<int>(
-    std::min({ static_cast<double>(size), height / (lines * 1.25), width / (letters * 0.62) }));
   this->Write(this->Help, fitting >= 5 ? content.Help : std::string(), 0.5 * width, 0.5 * height,
     std::max(fitting, 5));
   double box[2] = { 0.0, 0.0 };

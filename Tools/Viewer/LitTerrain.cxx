@@ -39,7 +39,7 @@ constexpr double LowestSkySun = 0.0;
 
 /// The colour of twilight against that of day, and the elevation, degrees, of a sun
 /// that has left it alone: what ozone lets through on the long way. A choice for the eye.
-constexpr skyline::Rgb TwilightColor{ { 0.62f, 1.0f, 2.0f } };
+constexpr skyline::Rgb TwilightColor{ { 0.75f, 1.0f, 1.6f } };
 constexpr double BlueHour = -6.0;
 
 // By day as ClearDaylight has it; below the horizon the sky's light goes out, blue.

@@ -95,7 +95,7 @@ vtkSmartPointer<vtkActor> MakeBackdrop(vtkPolyData* shape)
 template <typename Value, typename Code>
 void Encode(const skyline::SkyImage& sky, Value* to, Code code)
 {
-  const auto pixels = static_cast<vtkIdType>(sky.Columns * sky.Rows);
+  const vtkIdType pixels = sky.Columns * sky.Rows;
   vtkSMPTools::For(0, pixels, PixelsAPiece,
     [&](vtkIdType first, vtkIdType last)
     {
@@ -185,10 +185,9 @@ void SkyDome::Develop(double stops)
     return;
   }
   float gain = static_cast<float>(std::exp2(std::clamp(stops, -120.0, 120.0)));
-  const float level = Luminance(this->Sky.Level);
-  if (!this->Sky.Measured && level > 0.0f)
+  if (this->Sky.Typical > 0.0f)
   {
-    gain = std::min(gain, BrightestLevel / level);
+    gain = std::min(gain, BrightestTypical / this->Sky.Typical);
   }
   vtkNew<vtkUnsignedCharArray> pixels;
   pixels->SetNumberOfComponents(3);

@@ -21,9 +21,9 @@ namespace skyline
 class SkyDome
 {
 public:
-  /// A formula's sky is shown at most so bright, on the mean: a photographer's graduated filter,
-  /// without which it would be white where the sky is the only light.
-  static constexpr float BrightestLevel = 0.5f;
+  /// The sky's typical luminance is shown at most so bright: a photographer's graduated filter,
+  /// without which it would be white where the sky is most of the light.
+  static constexpr float BrightestTypical = 0.4f;
 
   /// Adds itself to the renderer, behind nothing yet.
   explicit SkyDome(vtkRenderer* renderer);

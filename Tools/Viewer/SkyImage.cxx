@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <sstream>
 
 namespace
@@ -17,6 +16,9 @@ namespace
 
 using skyline::Rgb;
 using skyline::SkyImage;
+
+/// The uniform sky's number among those of CIE S 011.
+constexpr int UniformType = 5;
 
 SkyImage Blank(std::ptrdiff_t columns, std::ptrdiff_t rows)
 {
@@ -36,7 +38,11 @@ double SineOf(std::ptrdiff_t row, std::ptrdiff_t rows)
 // Each row by its sine above the horizon, over the mean of open level ground's irradiance over pi.
 SkyImage Zonal(const std::string& name, const Rgb& level)
 {
-  const int type = name.rfind("cie:", 0) == 0 ? std::atoi(name.c_str() + 4) : 5;
+  int type = UniformType;
+  if (name.rfind("cie:", 0) == 0)
+  {
+    CLI::detail::lexical_cast(name.substr(4), type);
+  }
   SkyImage sky = Blank(2, skyline::FormulaColumns / 2);
   const std::ptrdiff_t half = sky.Rows / 2;
   double mean = 0.0;
@@ -103,6 +109,29 @@ SkyImage Mapped(const skyline::TurnedLightMap& light, std::ptrdiff_t most)
   return sky;
 }
 
+// Each row counts by its solid angle; 0 where nothing shines.
+float TypicalOf(const SkyImage& sky)
+{
+  double sum = 0.0;
+  double weights = 0.0;
+  for (std::ptrdiff_t row = 0; row < sky.Rows / 2; ++row)
+  {
+    const double sine = SineOf(row, sky.Rows);
+    const double weight = std::sqrt(1.0 - sine * sine);
+    for (std::ptrdiff_t column = 0; column < sky.Columns; ++column)
+    {
+      const float* c = sky.Values.data() + 3 * (row * sky.Columns + column);
+      const float luminance = skyline::Luminance({ { c[0], c[1], c[2] } });
+      if (luminance > 0.0f)
+      {
+        sum += weight * std::log(luminance);
+        weights += weight;
+      }
+    }
+  }
+  return weights > 0.0 ? static_cast<float>(std::exp(sum / weights)) : 0.0f;
+}
+
 // From the row above the horizon to the plain.
 void FillBelow(SkyImage& sky, const Rgb& ground)
 {
@@ -155,8 +184,7 @@ SkyImage MakeSkyImage(const TerrainLight& light, const Rgb& level, const Rgb& gr
       FillBelow(sky, ground);
     }
   }
-  sky.Measured = kind == SkyKind::Measured;
-  sky.Level = level;
+  sky.Typical = TypicalOf(sky);
   return sky;
 }
 

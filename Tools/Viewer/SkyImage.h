@@ -18,8 +18,7 @@ struct SkyImage
 {
   std::ptrdiff_t Columns = 0, Rows = 0;
   std::vector<float> Values; ///< RGB
-  bool Measured = false;     ///< as bright as it is; else a formula with the colours of Daylight.h
-  Rgb Level{ {} };           ///< its light on open level ground over pi
+  float Typical = 0.0f;      ///< geometric mean of the luminance above the horizon
 
   float Peak() const; ///< the brightest channel; 0 where all is dark
 };

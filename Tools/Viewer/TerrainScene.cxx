@@ -210,7 +210,30 @@ void TerrainScene::ResetCamera(double azimuth, double elevation, double aspect)
   {
     camera->SetViewUp(0.0, 0.0, 1.0); // the terrain style turns about the vertical
   }
+  this->FocusOnGround();
   this->Prepare();
+}
+
+void TerrainScene::FocusOnGround()
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  const double* eye = camera->GetPosition();
+  const double* look = camera->GetDirectionOfProjection();
+  const auto along = [&](double way)
+  {
+    return ScenePoint{ { eye[0] + way * look[0], eye[1] + way * look[1], eye[2] + way * look[2] } };
+  };
+  const double* bounds = this->Heights->GetBounds();
+  const double across = std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+  ScenePoint place;
+  if (FindGround(this->Heights, this->Exaggeration, along(0.0),
+        along(2.0 * (camera->GetDistance() + across)), place))
+  {
+    const double depth =
+      (place[0] - eye[0]) * look[0] + (place[1] - eye[1]) * look[1] + (place[2] - eye[2]) * look[2];
+    const ScenePoint focus = along(depth);
+    camera->SetFocalPoint(focus.data());
+  }
 }
 
 bool TerrainScene::FindPlace(double x, double y, ScenePoint& place) const

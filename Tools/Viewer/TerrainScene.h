@@ -49,6 +49,9 @@ public:
   /// All of the terrain in the picture, seen from azimuth and elevation in degrees.
   void ResetCamera(double azimuth, double elevation, double aspect);
 
+  /// The camera's focus, about which it turns, to the ground in the middle of the picture, which stays.
+  void FocusOnGround();
+
   /// Before drawing: lamps, sky and depth as the camera sees them.
   void Prepare();
 

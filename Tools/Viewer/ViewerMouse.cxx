@@ -65,6 +65,23 @@ void ViewerMouse::TellCamera(unsigned long event)
   this->Interactor->InvokeEvent(event);
 }
 
+// Nobody looks for the terrain's underside: the camera stops level with what it looks at.
+void ViewerMouse::StayAbove() const
+{
+  vtkCamera* camera = this->Scene->GetRenderer()->GetActiveCamera();
+  const double* eye = camera->GetPosition();
+  const double* focus = camera->GetFocalPoint();
+  const double east = eye[0] - focus[0];
+  const double north = eye[1] - focus[1];
+  const double level = std::hypot(east, north);
+  if (eye[2] < focus[2] && level > 0.0)
+  {
+    const double factor = camera->GetDistance() / level;
+    camera->SetPosition(focus[0] + factor * east, focus[1] + factor * north, focus[2]);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+  }
+}
+
 void ViewerMouse::MoveSlider(ViewerState& state, const HudLayout& layout) const
 {
   const ViewerSlider slider = state.GetSlider(this->Slider);
@@ -105,6 +122,7 @@ bool ViewerMouse::Move(double x, double y, ViewerState& state, const HudLayout& 
   {
     case Drag::Camera:
       this->TellCamera(vtkCommand::MouseMoveEvent);
+      this->StayAbove();
       break;
     case Drag::Slider:
       this->MoveSlider(state, layout);
@@ -160,6 +178,7 @@ void ViewerMouse::Press(
     return;
   }
   this->Dragging = Drag::Camera;
+  this->Scene->FocusOnGround();
   this->TellCamera(Presses[static_cast<std::size_t>(button)]);
 }
 

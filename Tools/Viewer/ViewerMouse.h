@@ -52,6 +52,7 @@ private:
   };
 
   void TellCamera(unsigned long event);
+  void StayAbove() const;
   void MoveSlider(ViewerState& state, const HudLayout& layout) const;
   void MoveLamp(double rise, ViewerState& state) const;
 
