@@ -7,6 +7,7 @@
 #include "GdalErrors.h"
 #include "Georeference.h"
 
+#include <cpl_conv.h>
 #include <gdal_priv.h>
 
 #include <array>
@@ -75,6 +76,8 @@ private:
   bool Convert(T* heights, const unsigned char* mask, std::size_t count) const;
 
   GdalErrors Errors; // first, so that closing the file is quiet too
+  // Reading a file through gzip leaves no note of its size beside it.
+  CPLConfigOptionSetter NoNotes{ "CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO", false };
   std::string File;
   std::unique_ptr<GDALDataset, Closer> Dataset;
   GDALRasterBand* Band = nullptr;

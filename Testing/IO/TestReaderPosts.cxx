@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 
 using namespace skyline_test;
@@ -22,6 +23,7 @@ std::string UncompressedDem(const std::string& name)
 {
   const std::string path = OutputPath(name);
   const std::string packed = "/vsigzip/" + DataPath("dem/SainteHelens.dem.gz");
+  const CPLConfigOptionSetter quiet("CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO", false);
   GByte* bytes = nullptr;
   vsi_l_offset size = 0;
   EXPECT_TRUE(VSIIngestFile(nullptr, packed.c_str(), &bytes, &size, -1));
@@ -376,6 +378,17 @@ TEST(ReaderPosts, UsgsDemIsItsGeoTiff)
       EXPECT_EQ(dem->GetOutput()->GetSpacing()[axis], 30.0);
     }
   }
+}
+
+TEST(ReaderPosts, GzipFilesGetNoNotes)
+{
+  const std::filesystem::path packed = OutputPath("notes.dem.gz");
+  const std::filesystem::path note = packed.string() + ".properties";
+  std::filesystem::remove(note);
+  std::filesystem::copy_file(
+    DataPath("dem/SainteHelens.dem.gz"), packed, std::filesystem::copy_options::overwrite_existing);
+  EXPECT_GT(Read("/vsigzip/" + packed.string())->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_FALSE(std::filesystem::exists(note));
 }
 
 // VTK's own reader of that format finds the same profiles. It puts the first post of each into row
