@@ -60,80 +60,6 @@ Scene Walls(std::ptrdiff_t size)
   return scene;
 }
 
-// A house with a gable roof along the longer side, posts [i0, i1) x [j0, j1).
-void AddHouse(oracle::OracleField& field, std::ptrdiff_t i0, std::ptrdiff_t j0, std::ptrdiff_t i1,
-  std::ptrdiff_t j1, double eaves, double ridge)
-{
-  const double ground = field.At((i0 + i1) / 2, (j0 + j1) / 2);
-  for (std::ptrdiff_t j = j0; j < j1; ++j)
-  {
-    for (std::ptrdiff_t i = i0; i < i1; ++i)
-    {
-      const bool across = i1 - i0 < j1 - j0;
-      const std::ptrdiff_t place = across ? i - i0 : j - j0;
-      const std::ptrdiff_t last = (across ? i1 - i0 : j1 - j0) - 1;
-      const double middle = 0.5 * static_cast<double>(last);
-      const double roof =
-        1.0 - std::abs(static_cast<double>(place) - middle) / std::max(1.0, middle);
-      field.At(i, j) = ground + eaves + (ridge - eaves) * roof;
-    }
-  }
-}
-
-// A crown of leaves: half an ellipsoid, ragged.
-void AddTree(oracle::OracleField& field, std::ptrdiff_t column, std::ptrdiff_t row, double radius,
-  double height, shapes::Random& random)
-{
-  const auto reach = static_cast<std::ptrdiff_t>(std::ceil(radius));
-  const double ground = field.At(column, row);
-  for (std::ptrdiff_t j = std::max<std::ptrdiff_t>(0, row - reach);
-       j <= std::min(field.Rows - 1, row + reach); ++j)
-  {
-    for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, column - reach);
-         i <= std::min(field.Columns - 1, column + reach); ++i)
-    {
-      const double d =
-        std::hypot(static_cast<double>(i - column), static_cast<double>(j - row)) / radius;
-      if (d < 1.0)
-      {
-        const double crown = height * (0.4 + 0.6 * std::sqrt(1.0 - d * d)) - 1.5 * random();
-        field.At(i, j) = std::max(field.At(i, j), ground + crown);
-      }
-    }
-  }
-}
-
-// What an airborne laser sees of a village, a post a metre: ground, roofs, trees, and its noise.
-Scene Village(std::ptrdiff_t size)
-{
-  Scene scene{ "lidar", "", shapes::Fractal(size, size, 1.0, 0.06 * static_cast<double>(size), 3) };
-  oracle::OracleField& field = scene.Field;
-  shapes::Random random(5);
-  const std::ptrdiff_t houses = std::max<std::ptrdiff_t>(1, size * size / 1200);
-  for (std::ptrdiff_t k = 0; k < houses; ++k)
-  {
-    const std::ptrdiff_t i0 = random.Below(size - 1), j0 = random.Below(size - 1);
-    const std::ptrdiff_t i1 = std::min(size, i0 + 8 + random.Below(10));
-    const std::ptrdiff_t j1 = std::min(size, j0 + 8 + random.Below(14));
-    const double eaves = 3.0 + 5.0 * random();
-    AddHouse(field, i0, j0, i1, j1, eaves, eaves + 4.0);
-  }
-  for (std::ptrdiff_t k = 0; k < 2 * houses; ++k)
-  {
-    const std::ptrdiff_t column = random.Below(size);
-    const double radius = 2.0 + 3.0 * random();
-    AddTree(field, column, random.Below(size), radius, 6.0 + 14.0 * random(), random);
-  }
-  constexpr double noise = 0.05; // metres, of a good survey
-  for (double& height : field.Heights)
-  {
-    height += noise * (2.0 * random() - 1.0);
-  }
-  scene.Description =
-    Describe(field, "surface as a laser sees it, " + std::to_string(houses) + " houses, trees");
-  return scene;
-}
-
 // Keeps the first reason of a failure, and VTK from printing all of them.
 void KeepReason(vtkObject*, unsigned long, void* reason, void* message)
 {
@@ -181,15 +107,14 @@ Scene FromRaster(const std::string& name, const std::string& file)
   return scene;
 }
 
-// The bundled DEM beside the program, installed or not; else where it was built.
-std::string BundledDem()
+// A bundled DEM beside the program, installed or not; else where it was built.
+std::string BundledDem(const std::string& file)
 {
   namespace fs = std::filesystem;
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none);
-  const fs::path beside =
-    program.parent_path().parent_path() / "share" / "skyline" / "SainteHelens.tif";
-  return fs::exists(beside, none) ? beside.string() : SKYLINE_BUNDLED_DEM "/SainteHelens.tif";
+  const fs::path beside = program.parent_path().parent_path() / "share" / "skyline" / file;
+  return fs::exists(beside, none) ? beside.string() : SKYLINE_BUNDLED_DEM "/" + file;
 }
 
 } // namespace
@@ -232,10 +157,6 @@ Scene MakeScene(const std::string& nameOrFile, std::ptrdiff_t size)
     scene.Description = Describe(scene.Field, "a spherical bowl in level ground");
     return scene;
   }
-  if (nameOrFile == "lidar")
-  {
-    return Village(size);
-  }
   if (nameOrFile == "moving")
   {
     Scene scene{ nameOrFile, "", MovingTerrain(size, 0.0) };
@@ -244,7 +165,11 @@ Scene MakeScene(const std::string& nameOrFile, std::ptrdiff_t size)
   }
   if (nameOrFile == "helens")
   {
-    return FromRaster(nameOrFile, BundledDem());
+    return FromRaster(nameOrFile, BundledDem("SainteHelens.tif"));
+  }
+  if (nameOrFile == "lidar")
+  {
+    return FromRaster(nameOrFile, BundledDem("Frontignan.tif"));
   }
   return FromRaster(std::filesystem::path(nameOrFile).stem().string(), nameOrFile);
 }

@@ -27,7 +27,7 @@ const std::vector<std::string>& SceneNames();
 /// Greatest side of a raster; of a larger one its middle counts.
 constexpr std::ptrdiff_t LargestSide = 2048;
 
-/// A scene of SceneNames() with size x size posts (helens has its own size), or any raster that
+/// A scene of SceneNames() with size x size posts (helens and lidar have their own size), or any raster that
 /// GDAL opens. std::runtime_error with a one-line reason.
 Scene MakeScene(const std::string& nameOrFile, std::ptrdiff_t size);
 
