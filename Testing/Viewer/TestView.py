@@ -24,10 +24,10 @@ LEAST_CHANGE = 0.5  # codes of 255; nothing moved changes nothing, two hours of 
 class Server:
     """Xvfb, for as long as a test lasts."""
 
-    def __init__(self):
+    def __init__(self, size="1024x768"):
         read, write = os.pipe()
         self.process = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1024x768x24", "-nolisten", "tcp"],
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", size + "x24", "-nolisten", "tcp"],
             pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as number:
