@@ -50,12 +50,9 @@ Result TimeUpdates(
   }
   const PeakMemory memory;
   Laps laps;
-  const double start = Now().Wall;
-  for (int repeat = 0;
-       repeat < effort.Repeats && (repeat == 0 || Now().Wall - start < effort.Seconds); ++repeat)
+  while (laps.Next(effort.Repeats, effort.Seconds))
   {
     Touch(heights);
-    laps.NextRepeat();
     laps.Search([&] { filter->Update(); });
     if (!reason.empty())
     {

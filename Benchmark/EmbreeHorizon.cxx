@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -82,9 +83,8 @@ Result MeasureEmbree(const Scene& scene, const Truth& truth, double accuracy, in
   const std::vector<std::ptrdiff_t> runs = RunsOfPosts(scene.Field, truth.Posts.size());
   Laps laps;
   volatile double last = 0.0; // keeps the results wanted
-  for (int repeat = 0; repeat < repeats; ++repeat)
+  while (laps.Next(repeats, std::numeric_limits<double>::infinity()))
   {
-    laps.NextRepeat();
     laps.Search(
       [&]
       {

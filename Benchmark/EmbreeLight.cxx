@@ -99,12 +99,8 @@ Result MeasureEmbreeSun(Stage& stage, SunScore::Kind kind)
   // As ours, the light of beams needs the posts' planes; who is lit does not.
   std::vector<std::vector<float>> light(Suns.size(), std::vector<float>(field.Heights.size()));
   Laps laps;
-  const double begin = Now().Wall;
-  for (int repeat = 0;
-       repeat < stage.Work.Repeats && (repeat == 0 || Now().Wall - begin < stage.Work.Seconds);
-       ++repeat)
+  while (laps.Next(stage.Work.Repeats, stage.Work.Seconds))
   {
-    laps.NextRepeat();
     laps.Search(
       [&]
       {
@@ -145,12 +141,8 @@ Result MeasureEmbreeLamp(Stage& stage, int side)
   result.BuildSeconds = ProcessCpu() - start;
   std::vector<double> light(truth.Posts.size());
   Laps laps;
-  const double begin = Now().Wall;
-  for (int repeat = 0;
-       repeat < stage.Work.Repeats && (repeat == 0 || Now().Wall - begin < stage.Work.Seconds);
-       ++repeat)
+  while (laps.Next(stage.Work.Repeats, stage.Work.Seconds))
   {
-    laps.NextRepeat();
     laps.Search(
       [&]
       {

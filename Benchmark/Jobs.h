@@ -5,6 +5,7 @@
 
 #include "Job.h"
 #include "Stage.h"
+#include "vtkHeightFieldAlgorithm.h"
 
 #include <functional>
 #include <memory>
@@ -22,6 +23,16 @@ constexpr int PeerTurn = 1;   ///< other programs, second settings
 constexpr int DeviceTurn = 2; ///< the graphics processor, which may be this processor in disguise
 constexpr int SweepTurn = 3;  ///< further values of a parameter
 constexpr int LastTurn = 6;   ///< programs that take minutes
+
+/// The methods of vtkHeightFieldAlgorithm, with their names in --methods.
+struct SearchMethod
+{
+  const char* Name;
+  int Method;
+};
+constexpr SearchMethod Searches[] = { { "exact", vtkHeightFieldAlgorithm::EXACT },
+  { "fast", vtkHeightFieldAlgorithm::FAST }, { "sweep", vtkHeightFieldAlgorithm::SWEEP },
+  { "pyramid", vtkHeightFieldAlgorithm::PYRAMID } };
 
 using StagePointer = std::shared_ptr<Stage>;
 

@@ -107,10 +107,8 @@ Result MeasureKernel(const Scene& scene, const Truth& truth, const MakeMethod& m
   const std::vector<std::size_t> azimuths = ThinnedAzimuths(truth.Azimuths.size(), thin);
 
   Laps laps;
-  const double start = Now().Wall;
-  for (int repeat = 0; repeat < repeats && (repeat == 0 || Now().Wall - start < seconds); ++repeat)
+  while (laps.Next(repeats, seconds))
   {
-    laps.NextRepeat();
     for (const std::size_t azimuth : azimuths)
     {
       laps.Prepare([&] { driver.Prepare(grid, truth.Azimuths[azimuth]); });

@@ -36,13 +36,9 @@ Result MeasureLamp(Stage& stage, const LampSettings& settings)
   lamp.Radius = at.Radius;
   Laps laps;
   const PeakMemory memory;
-  const double start = Now().Wall;
-  for (int repeat = 0;
-       repeat < stage.Work.Repeats && (repeat == 0 || Now().Wall - start < stage.Work.Seconds);
-       ++repeat)
+  while (laps.Next(stage.Work.Repeats, stage.Work.Seconds))
   {
     light.assign(3 * count, 0.0f);
-    laps.NextRepeat();
     laps.Search(
       [&]
       {

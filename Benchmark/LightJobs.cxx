@@ -146,13 +146,11 @@ double RelightNs(
   vtkHeightFieldIrradiance* filter, vtkSkylineEnvironmentLight* sky, const Effort& effort)
 {
   Laps laps;
-  const double start = Now().Wall;
-  for (int repeat = 0;
-       repeat < effort.Repeats && (repeat == 0 || Now().Wall - start < effort.Seconds); ++repeat)
+  int repeat = 0;
+  while (laps.Next(effort.Repeats, effort.Seconds))
   {
-    sky->SetSunAzimuth(140.0 + 10.0 * repeat);
+    sky->SetSunAzimuth(140.0 + 10.0 * repeat++);
     sky->GetLightMap(); // the sky is drawn by the light, not by the filter
-    laps.NextRepeat();
     laps.Search([&] { filter->Update(); });
   }
   Result result;
@@ -194,14 +192,6 @@ Result MeasureFrames(Stage& stage, const LightSettings& how)
   vtkNew<vtkHeightFieldIrradiance> filter;
   return MeasureIrradiance(stage, filter, how);
 }
-
-const struct
-{
-  const char* Name;
-  int Method;
-} Searches[] = { { "exact", vtkHeightFieldAlgorithm::EXACT },
-  { "fast", vtkHeightFieldAlgorithm::FAST }, { "sweep", vtkHeightFieldAlgorithm::SWEEP },
-  { "pyramid", vtkHeightFieldAlgorithm::PYRAMID } };
 
 } // namespace
 

@@ -29,7 +29,23 @@ double ProcessCpu();
 class Laps
 {
 public:
-  void NextRepeat() { this->Repeats.emplace_back(); }
+  /// Begins another repeat, the first in any case; false once there are `repeats`, or the ones so far
+  /// took `seconds` of wall time.
+  bool Next(int repeats, double seconds)
+  {
+    const double now = Now().Wall;
+    if (this->Repeats.empty())
+    {
+      this->Start = now;
+    }
+    else if (this->Repeats.size() >= static_cast<std::size_t>(repeats) ||
+      now - this->Start >= seconds)
+    {
+      return false;
+    }
+    this->Repeats.emplace_back();
+    return true;
+  }
 
   template <typename Work>
   void Prepare(const Work& work)
@@ -67,6 +83,7 @@ private:
   }
 
   std::vector<Repeat> Repeats;
+  double Start = 0.0;
 };
 
 /// Growth of the peak of resident memory from construction on, in floats a post.

@@ -158,24 +158,23 @@ Result MeasurePeer(Stage& stage, Kind kind, PeerSun (*make)(const oracle::Oracle
   return result;
 }
 
-const struct
+// Adds jobs of a quantity whose truth is the horizons towards the suns.
+auto Adder(std::vector<Job>& jobs, const StagePointer& stage, const char* quantity)
 {
-  const char* Name;
-  int Method;
-} Searches[] = { { "exact", vtkHeightFieldAlgorithm::EXACT },
-  { "fast", vtkHeightFieldAlgorithm::FAST }, { "sweep", vtkHeightFieldAlgorithm::SWEEP },
-  { "pyramid", vtkHeightFieldAlgorithm::PYRAMID } };
+  return [&jobs, stage, quantity](const char* kind, const char* label, const char* settings,
+           int turn, const std::function<Result()>& measure)
+  {
+    AddJob(
+      jobs, stage, quantity, kind, label, settings, turn, [stage] { stage->SunHorizons(); },
+      measure);
+  };
+}
 
 } // namespace
 
 void AddSunJobs(std::vector<Job>& jobs, const StagePointer& stage)
 {
-  const auto add = [&](const char* kind, const char* label, const char* settings, int turn,
-                     const std::function<Result()>& measure)
-  {
-    AddJob(
-      jobs, stage, "sun", kind, label, settings, turn, [stage] { stage->SunHorizons(); }, measure);
-  };
+  const auto add = Adder(jobs, stage, "sun");
   for (const auto& search : Searches)
   {
     add(search.Name, search.Name, "a point sun, its one azimuth", MainTurn,
@@ -204,12 +203,7 @@ void AddSunJobs(std::vector<Job>& jobs, const StagePointer& stage)
 
 void AddBeamJobs(std::vector<Job>& jobs, const StagePointer& stage)
 {
-  const auto add = [&](const char* kind, const char* label, const char* settings, int turn,
-                     const std::function<Result()>& measure)
-  {
-    AddJob(
-      jobs, stage, "beam", kind, label, settings, turn, [stage] { stage->SunHorizons(); }, measure);
-  };
+  const auto add = Adder(jobs, stage, "beam");
   for (const auto& search : Searches)
   {
     add(search.Name, search.Name, "a point sun of irradiance 1", MainTurn,

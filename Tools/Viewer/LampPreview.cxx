@@ -12,15 +12,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace
 {
 
 /// A slope that hides nothing.
 constexpr float Free = -1.0e30f;
-
-constexpr double Nothing = std::numeric_limits<double>::quiet_NaN();
 
 // The ring's posts of a square of 2 k + 1 posts, those inside the field.
 template <typename Visit>
@@ -74,21 +71,9 @@ LampPreview::LampPreview(vtkImageData* terrain)
     this->Heights[post] =
       static_cast<float>(heights->GetComponent(static_cast<vtkIdType>(post), 0));
   }
-  for (std::ptrdiff_t j = 0; j < this->Rows; ++j)
-  {
-    for (std::ptrdiff_t i = 0; i < this->Columns; ++i)
-    {
-      const std::ptrdiff_t post = j * this->Columns + i;
-      const auto at = [&](bool inside, std::ptrdiff_t step)
-      { return inside ? this->Heights[static_cast<std::size_t>(post + step)] : Nothing; };
-      const double here = at(true, 0);
-      const auto k = static_cast<std::size_t>(post);
-      this->East[k] = static_cast<float>(
-        AxisGradient(at(i > 0, -1), here, at(i + 1 < this->Columns, 1), this->Spacing[0]));
-      this->North[k] = static_cast<float>(AxisGradient(
-        at(j > 0, -this->Columns), here, at(j + 1 < this->Rows, this->Columns), this->Spacing[1]));
-    }
-  }
+  const Grid grid{ this->Columns, this->Rows, this->Spacing[0], this->Spacing[1] };
+  const PostView<float> view{ this->Heights.data(), 1, this->Columns };
+  Gradients(grid, view, 0, this->Rows, this->East.data(), this->North.data());
 }
 
 std::vector<float> LampPreview::Visibility(const ViewerLamp& lamp, double z) const

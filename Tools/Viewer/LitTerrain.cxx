@@ -3,7 +3,6 @@
 
 #include "../Passes.h"
 #include "Constants.h"
-#include "Daylight.h"
 #include "Exposure.h"
 #include "HeightRay.h"
 #include "Twilight.h"
@@ -37,32 +36,6 @@ constexpr double KeptHorizons = 1.0e9;
 /// A light map's sun below the horizon: the formulas of skies end at the horizon.
 constexpr double LowestSkySun = 0.0;
 
-/// The colour of twilight against that of day, and the elevation, degrees, of a sun
-/// that has left it alone: what ozone lets through on the long way. A choice for the eye.
-constexpr skyline::Rgb TwilightColor{ { 0.75f, 1.0f, 1.6f } };
-constexpr double BlueHour = -6.0;
-
-// By day as ClearDaylight has it; below the horizon the sky's light goes out, blue.
-skyline::Daylight DaylightOf(const skyline::TerrainLight& light)
-{
-  skyline::Daylight day = skyline::ClearDaylight(light.Sun.ApparentElevation, light.Air);
-  const double elevation = light.Sun.ApparentElevation;
-  const auto share = static_cast<float>(skyline::TwilightShare(elevation));
-  const auto blue =
-    static_cast<float>(light.Air ? std::clamp(elevation / BlueHour, 0.0, 1.0) : 0.0);
-  const float before = skyline::Luminance(day.SkyRadiance);
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    day.SkyRadiance[c] *= 1.0f + blue * (TwilightColor[c] - 1.0f);
-  }
-  const float gain = share * before / skyline::Luminance(day.SkyRadiance);
-  for (float& channel : day.SkyRadiance)
-  {
-    channel *= gain;
-  }
-  return day;
-}
-
 // Calls a function at progress.
 class Asking : public vtkCommand
 {
@@ -86,11 +59,6 @@ std::string Key(const Parts&... parts)
   text.precision(17);
   ((text << parts << '|'), ...);
   return text.str();
-}
-
-bool CieType(const std::string& name, int& type)
-{
-  return name.rfind("cie:", 0) == 0 && CLI::detail::lexical_cast(name.substr(4), type);
 }
 
 vtkSmartPointer<vtkFloatArray> TakeArray(vtkAlgorithm* filter, const char* name)
@@ -139,6 +107,11 @@ void Add(vtkFloatArray* light, vtkFloatArray* sum)
 
 namespace skyline
 {
+
+bool CieType(const std::string& name, int& type)
+{
+  return name.rfind("cie:", 0) == 0 && CLI::detail::lexical_cast(name.substr(4), type);
+}
 
 SkyKind KindOfSky(const std::string& name)
 {
@@ -310,7 +283,7 @@ bool LitTerrain::LightMap(const TerrainLight& light, bool exact)
   map->SetSunElevation(elevation);
   if (kind == SkyKind::Formula)
   {
-    const Rgb sky = DaylightOf(light).SkyRadiance;
+    const Rgb sky = DaylightAndNight(light.Sun.ApparentElevation, light.Air).SkyRadiance;
     map->SetRadiance(sky[0], sky[1], sky[2]);
   }
   auto& filter = exact ? this->ExactMap : this->FastMap;
@@ -416,7 +389,7 @@ bool LitTerrain::LightLamps(const TerrainLight& light, bool exact)
 void LitTerrain::Shade(const TerrainLight& light, bool exact)
 {
   const SkyKind kind = KindOfSky(light.Sky);
-  Daylight day = DaylightOf(light);
+  Daylight day = DaylightAndNight(light.Sun.ApparentElevation, light.Air);
   if (kind == SkyKind::Measured)
   {
     day.SunIrradiance = light.MeasuredSun;
@@ -503,7 +476,7 @@ bool LitTerrain::Light(const TerrainLight& light, bool exact)
   this->Exaggerate(light);
   const bool shines = light.SunOn &&
     (KindOfSky(light.Sky) == SkyKind::Measured ||
-      Luminance(DaylightOf(light).SunIrradiance) > 0.0f);
+      Luminance(DaylightAndNight(light.Sun.ApparentElevation, light.Air).SunIrradiance) > 0.0f);
   if (!this->LightSky(light, exact) || !this->LightMap(light, exact) ||
     (shines && !this->LightSun(light, exact)) || !this->LightLamps(light, exact))
   {

@@ -42,6 +42,9 @@ enum class SkyKind
 };
 SkyKind KindOfSky(const std::string& name);
 
+/// Whether a name is that of a CIE sky, and its number: cie:1 to cie:16.
+bool CieType(const std::string& name, int& type);
+
 /// The light on a terrain.
 struct TerrainLight
 {

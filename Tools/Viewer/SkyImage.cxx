@@ -39,10 +39,7 @@ double SineOf(std::ptrdiff_t row, std::ptrdiff_t rows)
 SkyImage Zonal(const std::string& name, const Rgb& level)
 {
   int type = UniformType;
-  if (name.rfind("cie:", 0) == 0)
-  {
-    CLI::detail::lexical_cast(name.substr(4), type);
-  }
+  skyline::CieType(name, type);
   SkyImage sky = Blank(2, skyline::FormulaColumns / 2);
   const std::ptrdiff_t half = sky.Rows / 2;
   double mean = 0.0;

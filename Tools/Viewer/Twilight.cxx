@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Twilight.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -20,6 +21,11 @@ constexpr std::array<Stretch, 4> Stretches{ {
   { -12.0, { { 2.70, 12.17, -431.69, -1899.83 } } },
   { -18.0, { { 13.84, 262.72, 1447.42, 2797.93 } } },
 } };
+
+// The colour of twilight against that of day, and the elevation, degrees, of a sun that has left it
+// alone: what ozone lets through on the long way. A choice for the eye.
+constexpr skyline::Rgb TwilightColor{ { 0.75f, 1.0f, 1.6f } };
+constexpr double BlueHour = -6.0;
 
 } // namespace
 
@@ -42,6 +48,24 @@ double TwilightIlluminance(double elevation)
 double TwilightShare(double elevation)
 {
   return TwilightIlluminance(elevation) / TwilightIlluminance(0.0);
+}
+
+Daylight DaylightAndNight(double elevation, bool air)
+{
+  Daylight day = ClearDaylight(elevation, air);
+  const auto share = static_cast<float>(TwilightShare(elevation));
+  const auto blue = static_cast<float>(air ? std::clamp(elevation / BlueHour, 0.0, 1.0) : 0.0);
+  const float before = Luminance(day.SkyRadiance);
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    day.SkyRadiance[c] *= 1.0f + blue * (TwilightColor[c] - 1.0f);
+  }
+  const float gain = share * before / Luminance(day.SkyRadiance);
+  for (float& channel : day.SkyRadiance)
+  {
+    channel *= gain;
+  }
+  return day;
 }
 
 } // namespace skyline

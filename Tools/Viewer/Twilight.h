@@ -3,6 +3,8 @@
 #ifndef skyline_Twilight_h
 #define skyline_Twilight_h
 
+#include "Daylight.h"
+
 namespace skyline
 {
 
@@ -14,6 +16,10 @@ double TwilightIlluminance(double elevation);
 
 /// That over the illuminance at 0 degrees: 1 by day, 8.5e-7 by night. NaN gives 1.
 double TwilightShare(double elevation);
+
+/// Sun and sky as ClearDaylight has them by day; below the horizon the sky's light goes out, blue where
+/// there is air. elevation: of the sun, degrees.
+Daylight DaylightAndNight(double elevation, bool air);
 
 } // namespace skyline
 
