@@ -179,10 +179,11 @@ std::vector<float> GrassDiffuse(const oracle::OracleField& field, Cost& cost)
   const auto run = [&](std::vector<std::string> slopes)
   {
     for (const char* word : { "elevation=heights", "coeff_bh=none", "diff_rad=diffuse", "-p",
-           "day=80", "nprocs=1", "declination=0", "time=12", "--overwrite" })
+           "nprocs=1", "declination=0", "time=12", "--overwrite" })
     {
       slopes.emplace_back(word);
     }
+    slopes.push_back("day=" + std::to_string(Day));
     cost += location->Run("r.sun", slopes);
     return FromNorth(field, location->Take("diffuse"));
   };
