@@ -20,25 +20,33 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
+#include <set>
 #include <thread>
+#include <vector>
 
 #include <unistd.h>
 
 namespace
 {
 
-// The first error, and all warnings, since they were last taken.
+// The first error and all warnings of the pass that runs.
 struct Messages
 {
   std::string Error;
-  std::string Warning;
+  std::vector<std::string> Warnings;
 
-  static void Keep(std::string& slot, const char* text)
+  void KeepError(const char* text)
   {
-    if (slot.empty() && text)
+    if (this->Error.empty() && text)
     {
-      slot = skyline::ReasonOf(text);
+      this->Error = skyline::ReasonOf(text);
+    }
+  }
+  void KeepWarning(const char* text)
+  {
+    if (text)
+    {
+      this->Warnings.push_back(skyline::ReasonOf(text));
     }
   }
 };
@@ -56,12 +64,9 @@ public:
   static SilentWindow* New();
   vtkTypeMacro(SilentWindow, vtkOutputWindow);
   void DisplayText(const char*) override {}
-  void DisplayErrorText(const char* text) override { Messages::Keep(Heard().Error, text); }
-  void DisplayWarningText(const char* text) override { Messages::Keep(Heard().Warning, text); }
-  void DisplayGenericWarningText(const char* text) override
-  {
-    Messages::Keep(Heard().Warning, text);
-  }
+  void DisplayErrorText(const char* text) override { Heard().KeepError(text); }
+  void DisplayWarningText(const char* text) override { Heard().KeepWarning(text); }
+  void DisplayGenericWarningText(const char* text) override { Heard().KeepWarning(text); }
   void DisplayDebugText(const char*) override {}
 };
 vtkStandardNewMacro(SilentWindow);
@@ -112,10 +117,10 @@ public:
     switch (event)
     {
       case vtkCommand::ErrorEvent:
-        Messages::Keep(Heard().Error, static_cast<const char*>(data));
+        Heard().KeepError(static_cast<const char*>(data));
         break;
       case vtkCommand::WarningEvent:
-        Messages::Keep(Heard().Warning, static_cast<const char*>(data));
+        Heard().KeepWarning(static_cast<const char*>(data));
         break;
       default:
         if (vtkAlgorithm* algorithm = vtkAlgorithm::SafeDownCast(caller))
@@ -147,6 +152,15 @@ void PrepareVtk(const Talk& talk)
     // More threads than processors gain nothing, and TBB would say so on the terminal.
     const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     vtkSMPTools::Initialize(std::min(talk.Threads, processors));
+  }
+}
+
+void PrintWarning(const std::string& text, const Talk& talk)
+{
+  static std::set<std::string> printed;
+  if (!talk.Quiet && printed.insert(text).second)
+  {
+    std::fprintf(stderr, "warning: %s\n", text.c_str());
   }
 }
 
@@ -196,9 +210,9 @@ void RunPass(vtkAlgorithm* algorithm, const std::string& title, const Talk& talk
   {
     throw Failure(title + " failed, and gives no reason");
   }
-  if (!Heard().Warning.empty() && !talk.Quiet)
+  for (const std::string& warning : Heard().Warnings)
   {
-    std::cerr << "skyline: warning: " << Heard().Warning << "\n";
+    PrintWarning(warning, talk);
   }
   if (talk.Verbose)
   {

@@ -4,6 +4,8 @@
 #ifndef skyline_Passes_h
 #define skyline_Passes_h
 
+#include "Doubt.h"
+
 #include <functional>
 #include <string>
 
@@ -25,10 +27,17 @@ void PrepareVtk(const Talk& talk);
 
 /// Updates an algorithm whose inputs are up to date. Draws a progress bar named `title` on standard
 /// error if that is a terminal, sets AbortExecute when the user interrupts, and tells the time if
-/// asked to. Throws Failure with the first line of the algorithm's first error. `update` replaces
-/// algorithm->Update().
+/// asked to. Throws Failure with the first line of the algorithm's first error, and prints its warnings.
+/// `update` replaces algorithm->Update().
 void RunPass(vtkAlgorithm* algorithm, const std::string& title, const Talk& talk,
   const std::function<void()>& update = {});
+
+/// Prints "warning: TEXT" on standard error, each text once; nothing with --quiet.
+void PrintWarning(const std::string& text, const Talk& talk);
+inline void PrintWarning(const Doubt& doubt, const Talk& talk)
+{
+  PrintWarning(DoubtText(doubt), talk);
+}
 
 /// The reason in one of VTK's error texts: what follows "vtkClass (address): ", its first line.
 std::string ReasonOf(const std::string& text);

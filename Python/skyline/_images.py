@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-import warnings
 from typing import Any, Iterable, Literal, Sequence, Union
 from xml.sax.saxutils import escape
 
@@ -14,7 +13,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 
-from . import _check
+from . import _check, _warnings
 from ._run import Error, run
 from .SkylineIO import vtkHeightFieldPictureWriter, vtkHeightFieldReader, vtkHeightFieldWriter
 
@@ -273,9 +272,9 @@ def _heights(z: Any, nodata: float | None) -> NDArray[Any]:
         ends = [("lowest", array.min(where=there, initial=0)), ("highest", array.max(where=there, initial=0))]
         for name, value in ends:
             if value in _SENTINELS or abs(float(value)) > _ABSURD:
-                warnings.warn(
-                    f"the {name} height is {float(value):g}, which often means a missing post: "
-                    f"if it does, give nodata={float(value)!r}", stacklevel=3)
+                _warnings.doubt(
+                    f"the {name} height is {float(value):g}, which often stands for a missing post",
+                    "it is a height", f"nodata={float(value)!r}")
     return array
 
 
@@ -294,9 +293,9 @@ def _doubt_degrees(heights: NDArray[Any], dx: float) -> None:
         steps = np.abs(np.diff(lines, axis=1))
     steps = steps[np.isfinite(steps)]
     if steps.size and np.median(steps) > _CLIFF * dx:
-        warnings.warn(
-            f"half of all posts stand {_CLIFF:g} times higher or lower than they are apart: spacing is "
-            f"{dx:g}, in metres; for degrees or feet give transform and crs", stacklevel=3)
+        _warnings.doubt(
+            f"half of all neighbouring posts differ in height by more than {_CLIFF:g} times their distance",
+            f"a spacing of {dx:g} metres", "transform=... and crs=... (for degrees or feet)")
 
 
 def _six(transform: Any, rows: int, south: bool) -> list[float]:

@@ -11,6 +11,8 @@ from typing import Any, Iterator
 
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
+from . import _warnings
+
 
 class Error(RuntimeError):
     """What a class of Skyline or VTK reported, in its own words."""
@@ -19,7 +21,7 @@ class Error(RuntimeError):
 def _reason(text: str) -> str:
     """The message without the place in the source and the object's address."""
     lines = text.strip().split("\n")
-    if lines[0].startswith(("ERROR: In ", "Generic Warning: In ")):
+    if lines[0].startswith(("ERROR: In ", "Warning: In ", "Generic Warning: In ")):
         lines = lines[1:]
     return re.sub(r"^\w+ \(0x[0-9a-f]+\): ", "", " ".join(lines).strip())
 
@@ -71,20 +73,26 @@ def _stopped_by_interrupt(algorithms: list[vtkAlgorithm]) -> Iterator[None]:
 
 @contextmanager
 def reported(*speakers: Any) -> Iterator[None]:
-    """Raises the first error that the objects report in the block, in place of printing it."""
+    """Raises the first error that the objects report in the block, in place of printing it; without
+    an error, their warnings become UserWarnings."""
     reasons: list[str] = []
+    doubts: list[str] = []
 
     def note(caller: Any, event: str, text: str) -> None:
-        reasons.append(_reason(text))
+        (reasons if event == "ErrorEvent" else doubts).append(_reason(text))
 
     note.CallDataType = "string0"  # type: ignore[attr-defined]
-    tags = [speaker.AddObserver("ErrorEvent", note) for speaker in speakers]
+    events = ("ErrorEvent", "WarningEvent")
+    tags = [(speaker, speaker.AddObserver(event, note)) for speaker in speakers for event in events]
     try:
         yield
     finally:
-        for speaker, tag in zip(speakers, tags):
+        for speaker, tag in tags:
             speaker.RemoveObserver(tag)
-    if reasons:
+    if not reasons:
+        for text in dict.fromkeys(doubts):
+            _warnings.warn(text)
+    else:
         if "bad_alloc" in reasons[0]:
             raise MemoryError("not enough memory; take fewer azimuths or posts")
         raise Error(reasons[0])

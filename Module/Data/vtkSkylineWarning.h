@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Warnings about doubtful input, raised by the VTK object that met it.
+#ifndef vtkSkylineWarning_h
+#define vtkSkylineWarning_h
+
+#include "Doubt.h"
+
+class vtkObject;
+
+namespace skyline
+{
+
+/// Raises the doubt as a WarningEvent of `object`, as vtkWarningMacro does. The command line prints it
+/// once on standard error as "warning: ..." (--quiet: not at all), Python raises a UserWarning, and
+/// ParaView shows it in its output window. Call it from the thread that executes the pipeline.
+void Warn(vtkObject* object, const Doubt& doubt);
+
+} // namespace skyline
+
+#endif

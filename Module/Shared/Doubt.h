@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a warning says about doubtful input.
+#ifndef skyline_Doubt_h
+#define skyline_Doubt_h
+
+#include <string>
+
+namespace skyline
+{
+
+/// Input that is used although it may not mean what it seems to mean. Every warning of Skyline is made
+/// of these three parts; vtkSkylineWarning.h raises it.
+struct Doubt
+{
+  std::string Finding;    ///< what was found: "12 posts of 'dem.tif' have the height -9999"
+  std::string Assumption; ///< how it is used: "these are heights"
+  std::string Cure;       ///< the option that changes it: "--nodata -9999"; empty: there is none
+};
+
+/// The sentence: "FINDING; assuming ASSUMPTION; use CURE to say otherwise".
+inline std::string DoubtText(const Doubt& doubt)
+{
+  const std::string text = doubt.Finding + "; assuming " + doubt.Assumption;
+  return doubt.Cure.empty() ? text : text + "; use " + doubt.Cure + " to say otherwise";
+}
+
+} // namespace skyline
+
+#endif
