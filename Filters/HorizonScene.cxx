@@ -12,13 +12,13 @@
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 #include "vtkSkylineGeoreference.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -30,20 +30,16 @@ namespace skyline
 namespace
 {
 
-// Lines that one thread finds in a row: the search reuses what it learnt on the line before. A fixed
-// number, so that the bits do not depend on the number of threads.
-constexpr std::ptrdiff_t ChunkLines = 64;
-
-// Error of a distance inside a band of rows with one spacing; 0.05 % turns no horizon by more than
-// 0.0143 degrees, and one of 15 degrees by 0.0072 at the band's edge.
-constexpr double BandTolerance = 0.0005;
-
-// Floats from a line of slopes to the next: lines are written in whole blocks of 32, and an odd number
-// of cache lines spreads them over the cache's sets when columns are turned into rows.
-std::ptrdiff_t SlopeStride(std::ptrdiff_t lanes)
+void SetMetric(Grid& grid, const PostMetric& metric)
 {
-  return (lanes + 31) / 32 * 32 + 16;
+  grid.SpacingX = metric.X;
+  grid.SpacingY = metric.Y;
+  grid.Shear = metric.Shear;
 }
+
+// Error of a distance inside a band of rows with one spacing, for the methods that take bands; 0.05 %
+// turns no horizon by more than 0.0143 degrees, and one of 15 degrees by 0.0072 at the band's edge.
+constexpr double BandTolerance = 0.0005;
 
 double Now()
 {
@@ -75,10 +71,9 @@ void WithHeights(vtkDataArray* array, std::ptrdiff_t columns, Function&& functio
   }
 }
 
-Grid GridOf(vtkImageData* image)
+void CheckImage(vtkImageData* image)
 {
   const int* dimensions = image->GetDimensions();
-  const double* spacing = image->GetSpacing();
   if (dimensions[2] != 1)
   {
     throw std::invalid_argument(
@@ -92,18 +87,59 @@ Grid GridOf(vtkImageData* image)
   // The plane of rows, and the bounds of one azimuth: two floats for 16 lines, and for 8 times 16.
   constexpr double bytes = sizeof(float) * (1.0 + 2.0 * (1.0 + 1.0 / 8.0) / 16.0);
   DemandMemory("the heights", dimensions[0], dimensions[1], bytes);
-  return Grid{ dimensions[0], dimensions[1], spacing[0], spacing[1] };
+}
+
+Georeference PlaceOf(vtkImageData* image)
+{
+  CheckImage(image);
+  Georeference place = LoadGeoreference(image);
+  place.Columns = image->GetDimensions()[0];
+  place.Rows = image->GetDimensions()[1];
+  return place;
+}
+
+PostSpacing SpacingOf(vtkImageData* image)
+{
+  return { image->GetSpacing()[0], image->GetSpacing()[1] };
+}
+
+// With the lengths of the centre.
+Grid GridOf(vtkImageData* image, const GroundMetric& metric)
+{
+  const PostSpacing spacing = SpacingOf(image);
+  Grid grid{ image->GetDimensions()[0], image->GetDimensions()[1], spacing.X, spacing.Y };
+  if (!metric.Uniform() && !metric.ByRows())
+  {
+    SetMetric(grid, metric.Centre());
+  }
+  return grid;
+}
+
+std::string Percent(double part)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2g", 100.0 * part);
+  return text;
+}
+
+std::string Degrees(double radians)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2g", radians * DegreesPerRadian);
+  return text;
 }
 
 } // namespace
 
 HorizonScene::HorizonScene(vtkImageData* image, vtkDataArray* heights, const Options& options)
   : Heights(heights)
-  , Where(LoadGeoreference(image))
-  , Field(GridOf(image))
+  , Where(PlaceOf(image))
+  , Metric(this->Where, SpacingOf(image))
+  , Field(GridOf(image, this->Metric))
   , Settings(options.Settings)
   , Kept(options.Kept)
 {
+  this->Where.GroundAxes = !this->Metric.Uniform();
   const Grid& grid = this->Field.Posts();
   double range[2] = { 0.0, 0.0 };
   heights->GetFiniteRange(range, 0);
@@ -182,23 +218,112 @@ std::shared_ptr<const HeightPyramid> HorizonScene::PyramidOfHeights()
   return this->Kept->Pyramid;
 }
 
-bool HorizonScene::Run(const std::vector<double>& azimuths, double width, Accumulator& consumer)
+bool HorizonScene::Run(const std::vector<double>& azimuths, double width, Accumulator& consumer,
+  AzimuthAxes axes)
 {
   const bool keep = this->Kept && this->Settings.Method == HorizonMethodKind::Pyramid;
   const auto method =
     MakeHorizonMethod(this->Field, this->Settings, keep ? this->PyramidOfHeights() : nullptr);
-  return this->Run(*method, azimuths, width, consumer);
+  if (this->Metric.Uniform() || !this->FollowsGround())
+  {
+    if (!this->FollowsGround())
+    {
+      this->DoubtOneMetric(
+        this->Settings.Method == HorizonMethodKind::Sweep ? "the sweep" : "the pyramid",
+        this->CentreMetric());
+    }
+    return this->Run(*method, azimuths, width, consumer, axes);
+  }
+  return this->RunPatches(*method, azimuths, width, consumer, axes);
 }
 
-bool HorizonScene::Run(
-  HorizonMethod& method, const std::vector<double>& azimuths, double width, Accumulator& consumer)
+bool HorizonScene::FollowsGround() const
+{
+  return this->Settings.Method == HorizonMethodKind::Exact ||
+    this->Settings.Method == HorizonMethodKind::Fast;
+}
+
+const GroundPatches& HorizonScene::PatchesOf(AzimuthAxes axes)
+{
+  const bool parallel = axes == AzimuthAxes::Image && this->Metric.ImageRaysAreParallel();
+  std::unique_ptr<GroundPatches>& patches = parallel ? this->ImagePatches : this->Patches;
+  if (!patches)
+  {
+    const double infinite = std::numeric_limits<double>::infinity();
+    patches = std::make_unique<GroundPatches>(DivideGround(this->Metric,
+      parallel ? infinite : PatchAzimuthTolerance * RadiansPerDegree,
+      this->Settings.Sink > 0.0 ? PatchScaleTolerance : infinite));
+  }
+  return *patches;
+}
+
+void HorizonScene::Prepare(
+  HorizonMethod& method, const Grid& grid, double azimuth, const PostRegion& region)
+{
+  if (RayFrame::TakesColumns(grid, azimuth))
+  {
+    this->Field.Transpose(); // the first time; a sun in the north or south needs none
+  }
+  method.SetAzimuth(grid, azimuth);
+  AskFor(method, region);
+  vtkSMPTools::For(0, method.PrepareCount(),
+    [&](vtkIdType begin, vtkIdType end) { method.Prepare(begin, end); });
+}
+
+bool HorizonScene::RunPatches(HorizonMethod& method, const std::vector<double>& azimuths,
+  double width, Accumulator& consumer, AzimuthAxes axes)
 {
   Grid grid = this->Field.Posts();
-  const double total = static_cast<double>(azimuths.size() * this->Bands.size());
+  const GroundPatches& patches = this->PatchesOf(axes);
+  PatchBlend blend(this->Metric, patches);
+  const double total = static_cast<double>(azimuths.size() * patches.Count());
   double done = 0.0;
   for (const double azimuth : azimuths)
   {
     consumer.Begin(azimuth * RadiansPerDegree, width);
+    blend.Begin();
+    for (const PatchSide& rows : patches.Rows)
+    {
+      for (const PatchSide& columns : patches.Columns)
+      {
+        if (this->Progress && !this->Progress(done++ / total))
+        {
+          return false;
+        }
+        const double start = Now();
+        const PostMetric metric = this->Metric.At(columns.Middle, rows.Middle);
+        SetMetric(grid, metric);
+        const double ground =
+          axes == AzimuthAxes::Image ? this->Metric.GroundAzimuth(metric, azimuth) : azimuth;
+        this->Prepare(
+          method, grid, ground, { rows.Begin, rows.End, columns.Begin, columns.End });
+        const double prepared = Now();
+        blend.Add(method, columns, rows, consumer);
+        this->PrepareSeconds += prepared - start;
+        this->SearchSeconds += Now() - prepared;
+      }
+    }
+    blend.End(consumer);
+  }
+  vtkSMPTools::For(
+    0, grid.Rows, [&](vtkIdType begin, vtkIdType end) { consumer.Finish(begin, end); });
+  return true;
+}
+
+bool HorizonScene::Run(HorizonMethod& method, const std::vector<double>& azimuths, double width,
+  Accumulator& consumer, AzimuthAxes axes)
+{
+  Grid grid = this->Field.Posts();
+  const double total = static_cast<double>(azimuths.size() * this->Bands.size());
+  double done = 0.0;
+  const auto add = [&](std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count,
+                     const float* slopes) { consumer.Add(row, column, count, slopes); };
+  for (const double azimuth : azimuths)
+  {
+    consumer.Begin(azimuth * RadiansPerDegree, width);
+    const double ground = axes == AzimuthAxes::Image
+      ? this->Metric.GroundAzimuth(this->CentreMetric(), azimuth)
+      : azimuth;
     for (const RowBand& band : this->Bands)
     {
       if (this->Progress && !this->Progress(done++ / total))
@@ -208,15 +333,10 @@ bool HorizonScene::Run(
       const double start = Now();
       grid.SpacingX = band.SpacingX;
       grid.SpacingY = band.SpacingY;
-      if (RayFrame::TakesColumns(grid, azimuth))
-      {
-        this->Field.Transpose(); // the first time; a sun in the north or south needs none
-      }
-      method.SetAzimuth(grid, azimuth);
-      vtkSMPTools::For(0, method.PrepareCount(),
-        [&](vtkIdType begin, vtkIdType end) { method.Prepare(begin, end); });
+      const PostRegion region{ band.RowBegin, band.RowEnd, 0, grid.Columns };
+      this->Prepare(method, grid, ground, region);
       const double prepared = Now();
-      this->FindBand(method, band, consumer);
+      FindSlopes(method, region, add);
       this->PrepareSeconds += prepared - start;
       this->SearchSeconds += Now() - prepared;
     }
@@ -226,104 +346,57 @@ bool HorizonScene::Run(
   return true;
 }
 
-void HorizonScene::FindBand(
-  const HorizonMethod& method, const RowBand& band, Accumulator& consumer) const
+PostMetric HorizonScene::CentreMetric() const
 {
-  if (method.Frame().Columns)
-  {
-    this->FindColumns(method, band, consumer);
-  }
-  else
-  {
-    this->FindRows(method, band, consumer);
-  }
+  const Grid& grid = this->Field.Posts();
+  return { grid.SpacingX, grid.Shear, grid.SpacingY };
 }
 
-void HorizonScene::FindRows(
-  const HorizonMethod& method, const RowBand& band, Accumulator& consumer) const
+void HorizonScene::DoubtOneMetric(const std::string& what, const PostMetric& used)
 {
-  const RayFrame& frame = method.Frame();
-  const std::ptrdiff_t begin = frame.Reversed ? frame.Lines - band.RowEnd : band.RowBegin;
-  const std::ptrdiff_t end = frame.Reversed ? frame.Lines - band.RowBegin : band.RowEnd;
-  const std::ptrdiff_t stride = SlopeStride(frame.Lanes);
-  vtkSMPThreadLocal<std::vector<float>> buffers;
-  vtkSMPTools::For(0, (end - begin + ChunkLines - 1) / ChunkLines, 1,
-    [&](vtkIdType first, vtkIdType last)
+  if (this->Metric.Uniform() || this->Metric.ByRows())
+  {
+    return; // bands of rows follow
+  }
+  const MetricError error = this->Metric.WorstError(used);
+  if (error.Distance <= DistanceTolerance && error.Azimuth <= AzimuthTolerance * RadiansPerDegree)
+  {
+    return;
+  }
+  const Doubt doubt{ "the map is distorted: distances of " + what + " are wrong by up to " +
+      Percent(error.Distance) + " % and directions by up to " + Degrees(error.Azimuth) +
+      " degrees somewhere in the raster",
+    "the lengths of its centre everywhere",
+    "a raster warped to a local map such as UTM (gdalwarp -t_srs)" };
+  for (const Doubt& known : this->Doubts)
+  {
+    if (DoubtText(known) == DoubtText(doubt))
     {
-      std::vector<float>& slopes = buffers.Local();
-      slopes.resize(static_cast<std::size_t>(ChunkLines * stride));
-      for (std::ptrdiff_t chunk = first; chunk < last; ++chunk)
-      {
-        const std::ptrdiff_t from = begin + chunk * ChunkLines;
-        const std::ptrdiff_t to = std::min(from + ChunkLines, end);
-        method.Find(from, to, 0, frame.Lanes, slopes.data(), stride);
-        for (std::ptrdiff_t line = from; line < to; ++line)
-        {
-          consumer.Add(
-            frame.ImageLine(line), 0, frame.Lanes, slopes.data() + (line - from) * stride);
-        }
-      }
-    });
-}
-
-void HorizonScene::FindColumns(
-  const HorizonMethod& method, const RowBand& band, Accumulator& consumer) const
-{
-  // Lines are columns here, and consumers take runs along rows. Tiles keep these long: every run
-  // lies in other pages of memory than the one before. Their slopes stay in the cache.
-  constexpr std::ptrdiff_t TileLines = 4 * ChunkLines;
-  constexpr std::ptrdiff_t TileRows = 256;
-  const RayFrame& frame = method.Frame();
-  const std::ptrdiff_t across = (frame.Lines + TileLines - 1) / TileLines;
-  const std::ptrdiff_t along = (band.RowEnd - band.RowBegin + TileRows - 1) / TileRows;
-  const std::ptrdiff_t stride = SlopeStride(TileRows);
-  vtkSMPThreadLocal<std::vector<float>> buffers;
-  vtkSMPTools::For(0, across * along, 1,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      std::vector<float>& slopes = buffers.Local();
-      slopes.resize(static_cast<std::size_t>(TileLines * stride));
-      float run[TileLines];
-      for (std::ptrdiff_t tile = first; tile < last; ++tile)
-      {
-        const std::ptrdiff_t from = tile / along * TileLines;
-        const std::ptrdiff_t count = std::min(TileLines, frame.Lines - from);
-        const std::ptrdiff_t rowBegin = band.RowBegin + tile % along * TileRows;
-        const std::ptrdiff_t rowEnd = std::min(rowBegin + TileRows, band.RowEnd);
-        for (std::ptrdiff_t line = 0; line < count; line += ChunkLines)
-        {
-          const std::ptrdiff_t end = std::min(line + ChunkLines, count);
-          method.Find(
-            from + line, from + end, rowBegin, rowEnd, slopes.data() + line * stride, stride);
-        }
-        const std::ptrdiff_t column = frame.Reversed ? frame.ImageLine(from + count - 1) : from;
-        const std::ptrdiff_t next = frame.Reversed ? -stride : stride;
-        for (std::ptrdiff_t row = rowBegin; row < rowEnd; ++row)
-        {
-          const float* slope =
-            slopes.data() + (frame.Reversed ? (count - 1) * stride : 0) + (row - rowBegin);
-          for (std::ptrdiff_t i = 0; i < count; ++i)
-          {
-            run[i] = slope[i * next];
-          }
-          consumer.Add(row, column, count, run);
-        }
-      }
-    });
+      return;
+    }
+  }
+  this->Doubts.push_back(doubt);
 }
 
 void HorizonScene::FillGradients(float* east, float* north) const
 {
   const Grid& grid = this->Field.Posts();
-  const Georeference& place = this->Where;
-  const double* spacingX = place.RowSpacingX.empty() ? nullptr : place.RowSpacingX.data();
-  const double* spacingY = place.RowSpacingY.empty() ? nullptr : place.RowSpacingY.data();
+  const bool own = this->Metric.ByRows();
+  const double* spacingX = own ? this->Where.RowSpacingX.data() : nullptr;
+  const double* spacingY = own ? this->Where.RowSpacingY.data() : nullptr;
   WithHeights(this->Heights, grid.Columns,
     [&](const auto& height)
     {
       vtkSMPTools::For(0, grid.Rows,
         [&](vtkIdType begin, vtkIdType end)
-        { Gradients(grid, height, begin, end, east, north, spacingX, spacingY); });
+        {
+          Gradients(grid, height, begin, end, east, north, spacingX, spacingY);
+          for (vtkIdType row = begin; row < end && !own; ++row)
+          {
+            this->Metric.TurnGradients(row, { grid.SpacingX, grid.SpacingY }, grid.Columns,
+              east + row * grid.Columns, north + row * grid.Columns);
+          }
+        });
     });
 }
 
@@ -353,9 +426,11 @@ void HorizonScene::BlankMissing(vtkFloatArray* array) const
 bool HorizonScene::TakesColumns(const std::vector<double>& azimuths) const
 {
   Grid grid = this->Field.Posts();
+  // Whatever the azimuths' axes: near the diagonal one more plane is asked for than may be needed.
+  const double slack = this->Metric.Uniform() ? 1.0 : 2.0;
   for (const RowBand& band : this->Bands)
   {
-    grid.SpacingX = band.SpacingX;
+    grid.SpacingX = band.SpacingX / slack;
     grid.SpacingY = band.SpacingY;
     for (const double azimuth : azimuths)
     {
@@ -371,7 +446,9 @@ bool HorizonScene::TakesColumns(const std::vector<double>& azimuths) const
 void HorizonScene::DemandFloats(
   const char* what, std::ptrdiff_t floats, const std::vector<double>& azimuths) const
 {
-  double all = static_cast<double>(floats + (this->TakesColumns(azimuths) ? 1 : 0));
+  // Two more for the blending of patches.
+  const std::ptrdiff_t blend = this->Metric.Uniform() || !this->FollowsGround() ? 0 : 2;
+  double all = static_cast<double>(floats + blend + (this->TakesColumns(azimuths) ? 1 : 0));
   if (this->Settings.Method == HorizonMethodKind::Pyramid && !(this->Kept && this->Kept->Pyramid))
   {
     // Each level is 1 / b of the one below in rows, and of its own samples 1 / b^2 (HeightPyramid.h).

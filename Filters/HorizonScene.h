@@ -4,14 +4,19 @@
 #define skyline_HorizonScene_h
 
 #include "Accumulator.h"
+#include "Doubt.h"
 #include "Georeference.h"
+#include "GroundMetric.h"
+#include "GroundPatches.h"
 #include "HeightField.h"
 #include "HorizonMethod.h"
 #include "RowSpacing.h"
+#include "SlopeSearch.h"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -27,6 +32,14 @@ struct KeptPyramid
   std::uint64_t Heights = 0; ///< HorizonScene::Fingerprint
   double LevelStep = 0.0;
   std::shared_ptr<const HeightPyramid> Pyramid;
+};
+
+/// How the azimuths of a run count, clockwise from the image's +y axis: on the ground, as sums over the
+/// sky need them, or on the image (Georeference::GridAzimuthAt), as the arrays of horizons have them.
+enum class AzimuthAxes
+{
+  Ground,
+  Image
 };
 
 /// Built from a filter's input; throws std::invalid_argument with a one-line reason if that carries
@@ -46,13 +59,28 @@ public:
   /// Told the part done, 0 to 1; returns false to stop.
   std::function<bool(double)> Progress;
 
-  /// Feeds the consumer every azimuth (degrees clockwise from grid north), each standing for `width`
-  /// radians. False if stopped.
-  bool Run(const std::vector<double>& azimuths, double width, Accumulator& consumer);
+  /// Feeds the consumer every azimuth (degrees), each standing for `width` radians. On a distorted map
+  /// exact and fast take the metric of every post (GroundMetric.h), the others that of the centre, or of
+  /// bands of rows. False if stopped.
+  bool Run(const std::vector<double>& azimuths, double width, Accumulator& consumer,
+    AzimuthAxes axes = AzimuthAxes::Ground);
 
-  /// The same with a method over PreparedField() other than that of the options.
+  /// The same with a method over PreparedField() other than that of the options, which has one metric or
+  /// that of bands of rows.
   bool Run(HorizonMethod& method, const std::vector<double>& azimuths, double width,
-    Accumulator& consumer);
+    Accumulator& consumer, AzimuthAxes axes = AzimuthAxes::Ground);
+
+  /// Lengths and angles of the posts.
+  const GroundMetric& Ground() const { return this->Metric; }
+
+  /// Doubts to be raised, once, when the filter is done.
+  std::vector<Doubt> Doubts;
+
+  /// Adds one where `what` takes `used` everywhere and the raster needs more than that.
+  void DoubtOneMetric(const std::string& what, const PostMetric& used);
+
+  /// The metric that Posts() has.
+  PostMetric CentreMetric() const;
 
   /// dz/dx and dz/dy of every post, row by row.
   void FillGradients(float* east, float* north) const;
@@ -88,15 +116,19 @@ public:
 private:
   std::shared_ptr<const HeightPyramid> PyramidOfHeights();
   bool TakesColumns(const std::vector<double>& azimuths) const;
-  void FindBand(const HorizonMethod& method, const RowBand& band, Accumulator& consumer) const;
-  void FindRows(const HorizonMethod& method, const RowBand& band, Accumulator& consumer) const;
-  void FindColumns(const HorizonMethod& method, const RowBand& band, Accumulator& consumer) const;
+  bool FollowsGround() const;
+  const GroundPatches& PatchesOf(AzimuthAxes axes);
+  void Prepare(HorizonMethod& method, const Grid& grid, double azimuth, const PostRegion& region);
+  bool RunPatches(HorizonMethod& method, const std::vector<double>& azimuths, double width,
+    Accumulator& consumer, AzimuthAxes axes);
 
   vtkDataArray* Heights;
   Georeference Where;
+  GroundMetric Metric;
   HeightField Field;
   HorizonSettings Settings;
   std::vector<RowBand> Bands;
+  std::unique_ptr<GroundPatches> Patches, ImagePatches; // once asked for
   double Mean = 0.0;
   KeptPyramid* Kept = nullptr;
   std::uint64_t Heights64 = 0; // once asked for

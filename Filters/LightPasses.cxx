@@ -131,12 +131,25 @@ SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonScene& scene)
   if (light->GetUseTime())
   {
     const SunField sun(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight());
-    const Grid& grid = scene.Posts();
-    const GridSun middle =
-      sun.At(0.5 * static_cast<double>(grid.Columns - 1), 0.5 * static_cast<double>(grid.Rows - 1));
+    const GridSun middle = sun.At(0.5 * static_cast<double>(scene.Posts().Columns - 1),
+      0.5 * static_cast<double>(scene.Posts().Rows - 1));
     disc.Azimuth = middle.Azimuth * RadiansPerDegree;
     disc.Elevation = middle.Elevation * RadiansPerDegree;
     disc.Radius = light->GetTrueRadius() ? middle.Radius * RadiansPerDegree : disc.Radius;
+    return disc;
+  }
+  return InMiddle(disc, scene);
+}
+
+SkyDisc InMiddle(SkyDisc disc, const HorizonScene& scene)
+{
+  const SunField field = SunField::OnImage(scene.Place(), disc.Azimuth * DegreesPerRadian,
+    disc.Elevation * DegreesPerRadian, disc.Radius * DegreesPerRadian);
+  if (!field.Same())
+  {
+    const GridSun middle = field.At(0.5 * static_cast<double>(scene.Posts().Columns - 1),
+      0.5 * static_cast<double>(scene.Posts().Rows - 1));
+    disc.Azimuth = middle.Azimuth * RadiansPerDegree;
   }
   return disc;
 }
@@ -215,6 +228,12 @@ bool AddDisc(HorizonScene& scene, HorizonCache& cache, const SkyDisc& disc, cons
   {
     return true; // set: no light, no horizons
   }
+  const SunField field = SunField::OnImage(scene.Place(), disc.Azimuth * DegreesPerRadian,
+    disc.Elevation * DegreesPerRadian, disc.Radius * DegreesPerRadian);
+  if (!field.Same())
+  {
+    return AddSun(scene, cache, field, disc, 0.0, posts);
+  }
   const Grid& grid = scene.Posts();
   std::vector<double> azimuths =
     SunAzimuths(disc.Azimuth, disc.Azimuth, disc.Elevation, disc.Elevation, disc.Radius);
@@ -250,11 +269,18 @@ bool AddSun(
   const double darkening = light->GetLimbDarkening() ? EddingtonLimbDarkening : 0.0;
   const SunField sun = light->GetUseTime()
     ? SunField(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight())
-    : SunField::Constant(light->GetAzimuth(), light->GetElevation(), light->GetAngularRadius());
+    : SunField::OnImage(scene.Place(), light->GetAzimuth(), light->GetElevation(),
+        light->GetAngularRadius());
   if (light->GetUseTime() && light->GetTrueRadius())
   {
     disc.Radius = sun.Radius() * RadiansPerDegree;
   }
+  return AddSun(scene, cache, sun, disc, darkening, posts);
+}
+
+bool AddSun(HorizonScene& scene, HorizonCache& cache, const SunField& sun, const SkyDisc& disc,
+  double darkening, const LitPosts& posts)
+{
   double first = 0.0, last = 0.0, least = 0.0, greatest = 0.0;
   sun.AzimuthBounds(first, last);
   sun.ElevationBounds(least, greatest);
@@ -275,7 +301,7 @@ bool AddSun(
                      float* y, float* z) { sun.Row(number, column, count, x, y, z); };
   const auto run = [&](SunAccumulator&& visibility)
   { return cache.Run(scene, azimuths, 0.0, visibility); };
-  const bool finished = light->GetUseTime()
+  const bool finished = !sun.Same()
     ? run(SunAccumulator(grid.Columns, grid.Rows, row, disc.Radius, buffer, darkening))
     : run(SunAccumulator(grid.Columns, grid.Rows,
         SunDisc{ disc.Azimuth, disc.Elevation, disc.Radius }, buffer, darkening));
@@ -288,7 +314,7 @@ bool AddSun(
   return finished;
 }
 
-bool AddLamp(HorizonScene& scene, const std::array<double, 2>& origin, vtkSkylineLampLight* light,
+bool AddLamp(HorizonScene& scene, const ImageFrame& image, vtkSkylineLampLight* light,
   const LitPosts& posts)
 {
   const LampTerrain terrain(scene.PreparedField());
@@ -296,8 +322,10 @@ bool AddLamp(HorizonScene& scene, const std::array<double, 2>& origin, vtkSkylin
   settings.Shape = scene.UsedSettings().Shape;
   settings.Sink = scene.UsedSettings().Sink;
   Grid grid = scene.Posts();
-  const double column = (light->GetPosition()[0] - origin[0]) / grid.SpacingX;
-  const double row = (light->GetPosition()[1] - origin[1]) / grid.SpacingY;
+  const double column = (light->GetPosition()[0] - image.Origin[0]) / image.Spacing[0];
+  const double row = (light->GetPosition()[1] - image.Origin[1]) / image.Spacing[1];
+  // Lamps know no shear: the steps of the centre at right angles.
+  scene.DoubtOneMetric("lamps", { grid.SpacingX, 0.0, grid.SpacingY });
   const double rows = static_cast<double>(grid.Rows);
   for (const RowBand& band : scene.BandsOfRows())
   {

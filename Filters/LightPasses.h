@@ -18,6 +18,7 @@ namespace skyline
 {
 
 class HorizonScene;
+class SunField;
 
 /// What a pass reads and writes: gradients and irradiance (three floats) of every post, row by row.
 struct LitPosts
@@ -41,6 +42,9 @@ SkyDisc DiscOf(vtkSkylineKeyLight* light);
 /// The same, with UseTime as the sun stands over the middle of the scene.
 SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonScene& scene);
 
+/// A disc with an azimuth on the image as it stands over the middle of the scene.
+SkyDisc InMiddle(SkyDisc disc, const HorizonScene& scene);
+
 /// Discs up to this radius, radians, are lit as a whole and shadowed by their lit part; of larger
 /// ones the parts have different cosines, and they become light maps.
 constexpr double LargestSun = 3.0 * RadiansPerDegree;
@@ -53,8 +57,18 @@ bool AddSun(
   HorizonScene& scene, HorizonCache& cache, vtkSkylineSunLight* light, const LitPosts& posts);
 bool AddDisc(HorizonScene& scene, HorizonCache& cache, const SkyDisc& disc, const LitPosts& posts);
 
-/// A lamp. False if stopped.
-bool AddLamp(HorizonScene& scene, const std::array<double, 2>& origin, vtkSkylineLampLight* light,
+/// A sun whose direction may differ from post to post; radius and irradiance are the disc's.
+bool AddSun(HorizonScene& scene, HorizonCache& cache, const SunField& sun, const SkyDisc& disc,
+  double darkening, const LitPosts& posts);
+
+/// Where an image puts its posts: metres of the south-west one, and between posts.
+struct ImageFrame
+{
+  std::array<double, 2> Origin, Spacing;
+};
+
+/// A lamp, whose place counts in the image's coordinates. False if stopped.
+bool AddLamp(HorizonScene& scene, const ImageFrame& image, vtkSkylineLampLight* light,
   const LitPosts& posts);
 
 } // namespace skyline

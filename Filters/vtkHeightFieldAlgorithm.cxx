@@ -9,6 +9,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkSkylineWarning.h"
 #include "vtkVersionMacros.h"
 
 #include <exception>
@@ -100,6 +101,10 @@ int vtkHeightFieldAlgorithm::RequestData(
     };
     output->ShallowCopy(input);
     const bool finished = this->Compute(scene, output);
+    for (const skyline::Doubt& doubt : scene.Doubts)
+    {
+      skyline::Warn(this, doubt);
+    }
     this->PrepareSeconds = scene.PrepareSeconds;
     this->SearchSeconds = scene.SearchSeconds;
     this->PyramidBuilds = scene.PyramidBuilds;

@@ -33,5 +33,5 @@ bool vtkHeightFieldHorizon::Store(
   skyline::HorizonScene& scene, const std::vector<double>& azimuths, float* values)
 {
   skyline::StoreAccumulator store(scene.Posts().Columns, values, this->NumberOfAzimuths);
-  return scene.Run(azimuths, 0.0, store);
+  return scene.Run(azimuths, 0.0, store, skyline::AzimuthAxes::Image);
 }

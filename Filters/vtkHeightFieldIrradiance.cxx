@@ -264,7 +264,7 @@ bool vtkHeightFieldIrradiance::AddHarmonics(skyline::HorizonScene& scene,
   {
     for (const SkyDisc& disc : *discs)
     {
-      sum.Add(disc);
+      sum.Add(InMiddle(disc, scene));
     }
   }
   for (vtkSkylineSunLight* sun : lights.Suns)
@@ -324,7 +324,7 @@ bool vtkHeightFieldIrradiance::AddTables(
     for (const SkyDisc& disc : lights.LargeDiscs)
     {
       int columns = 0, rows = 0;
-      drawn.push_back(DrawDisc(disc, columns, rows));
+      drawn.push_back(DrawDisc(InMiddle(disc, scene), columns, rows));
       maps.emplace_back();
       maps.back().Map = ViewTopDown(drawn.back().data(), columns, rows);
     }
@@ -369,10 +369,12 @@ bool vtkHeightFieldIrradiance::AddLamps(skyline::HorizonScene& scene, const Sort
   vtkImageData* image, const skyline::LitPosts& posts)
 {
   const double* origin = image->GetOrigin();
+  const double* spacing = image->GetSpacing();
+  const skyline::ImageFrame frame{ { { origin[0], origin[1] } }, { { spacing[0], spacing[1] } } };
   for (vtkSkylineLampLight* lamp : lights.Lamps)
   {
     ++this->LampPasses;
-    if (!skyline::AddLamp(scene, { origin[0], origin[1] }, lamp, posts))
+    if (!skyline::AddLamp(scene, frame, lamp, posts))
     {
       return false;
     }

@@ -31,7 +31,8 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
   constexpr double radians = skyline::RadiansPerDegree;
   const skyline::SunField sun = this->UseTime
     ? skyline::SunField(scene.Place(), skyline::ParseUtcTime(this->Time), scene.MeanHeight())
-    : skyline::SunField::Constant(this->SunAzimuth, this->SunElevation, this->SunAngularRadius);
+    : skyline::SunField::OnImage(
+        scene.Place(), this->SunAzimuth, this->SunElevation, this->SunAngularRadius);
   const double radius = this->UseTime && this->TrueRadius ? sun.Radius() : this->SunAngularRadius;
   if (!(radius >= 0.0 && radius < 90.0))
   {
@@ -52,14 +53,14 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
   }
   this->SearchedAzimuths = static_cast<int>(azimuths.size());
 
-  scene.DemandFloats("shadows of the sun", this->UseTime ? 3 : 2, azimuths);
+  scene.DemandFloats("shadows of the sun", sun.Same() ? 2 : 3, azimuths);
   vtkFloatArray* visibility = scene.AddArray(output, "SunVisibility");
   const skyline::PostBuffer buffer{ visibility->GetPointer(0), 1 };
   const skyline::Grid& posts = scene.Posts();
   const double darkening = this->LimbDarkening ? skyline::EddingtonLimbDarkening : 0.0;
   const auto run = [&](skyline::SunAccumulator&& disc) { return scene.Run(azimuths, 0.0, disc); };
   bool finished = false;
-  if (this->UseTime)
+  if (!sun.Same())
   {
     const auto directions = [&sun](std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count,
                               float* x, float* y, float* z)

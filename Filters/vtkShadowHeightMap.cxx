@@ -116,7 +116,8 @@ bool vtkShadowHeightMap::AddShadow(skyline::HorizonScene& scene, vtkImageData* o
   }
   const auto method = this->MakeMethod(scene, skyline::ShadowSlope(elevation));
   ShadowStore store(scene, this->GetInputArrayToProcess(0, output), shadows, belowTerrain);
-  const bool finished = scene.Run(*method, { this->SunAzimuth }, 0.0, store);
+  const bool finished = scene.Run(
+    *method, { this->SunAzimuth }, 0.0, store, skyline::AzimuthAxes::Image);
   scene.BlankMissing(shadows);
   return finished;
 }
@@ -133,6 +134,7 @@ bool vtkShadowHeightMap::Compute(skyline::HorizonScene& scene, vtkImageData* out
   }
   skyline::SunField::Constant(this->SunAzimuth, this->SunElevation, this->SunAngularRadius);
   scene.DemandFloats("shadow heights", this->Soft ? 3 : 1, { this->SunAzimuth });
+  scene.DoubtOneMetric("shadow heights", scene.CentreMetric());
   const double elevation = this->SunElevation * skyline::RadiansPerDegree;
   const double radius = this->SunAngularRadius * skyline::RadiansPerDegree;
   bool finished =

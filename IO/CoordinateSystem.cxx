@@ -8,6 +8,8 @@
 
 #include "vtkErrorCode.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -49,6 +51,19 @@ std::string WktOf(const OGRSpatialReference& crs)
   return wkt;
 }
 
+/// Nodes along a side of the finest lattice: a whole globe on one map needs 345.
+constexpr int LastLatticeNodes = 513;
+
+/// A raster whose longer side is shorter than this (metres) has the map's steps to rounding in the
+/// coarsest lattice; the rounding of longitudes would be compared.
+constexpr double ShortestChecked = 1000.0;
+
+std::array<double, 3> NormalAt(double longitude, double latitude)
+{
+  const double lambda = longitude * RadiansPerDegree, phi = latitude * RadiansPerDegree;
+  return { { std::cos(phi) * std::cos(lambda), std::cos(phi) * std::sin(lambda), std::sin(phi) } };
+}
+
 /// The turn of 360 degrees that brings `longitude` next to `neighbour`.
 double Continued(double longitude, double neighbour)
 {
@@ -70,6 +85,7 @@ CoordinateSystem::CoordinateSystem(const OGRSpatialReference& crs, const std::st
   this->Horizontal.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
 
   this->Geographic = this->Horizontal.IsGeographic() != 0;
+  this->Derived = this->Geographic && this->Horizontal.IsDerivedGeographic() != 0;
   this->OnBody = this->Geographic || this->Horizontal.IsProjected() != 0;
   if (!this->OnBody && !this->Horizontal.IsLocal())
   {
@@ -163,30 +179,6 @@ void CoordinateSystem::FillLattice(Georeference& georeference) const
     georeference.Flattening > 0.0 ? 1.0 / georeference.Flattening : 0.0);
   degrees.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
 
-  constexpr int nodes = DefaultLatticeNodes;
-  const std::array<double, 6>& transform = georeference.GeoTransform;
-  const double pole = 90.0 / this->Unit;
-  std::vector<double> x, y;
-  for (int j = 0; j < nodes; ++j)
-  {
-    for (int i = 0; i < nodes; ++i)
-    {
-      const double column = i * static_cast<double>(georeference.Columns - 1) / (nodes - 1);
-      const double row = j * static_cast<double>(georeference.Rows - 1) / (nodes - 1);
-      x.push_back(transform[0] + (column + 0.5) * transform[1]);
-      y.push_back(
-        transform[3] + (static_cast<double>(georeference.Rows) - 0.5 - row) * transform[5]);
-      const double over = std::abs(y.back()) - pole;
-      if (this->Geographic && over > 0.0 && over < PoleSlack * std::abs(transform[5]))
-      {
-        y.back() = std::copysign(pole, y.back());
-      }
-    }
-  }
-
-  const std::vector<double> mapX = x;
-  const std::vector<double> mapY = y;
-  std::vector<int> placed(x.size(), 0);
   GdalErrors errors;
   const std::unique_ptr<OGRCoordinateTransformation> toDegrees(
     OGRCreateCoordinateTransformation(&this->Horizontal, &degrees));
@@ -195,27 +187,144 @@ void CoordinateSystem::FillLattice(Georeference& georeference) const
     Refuse(this->File,
       "its CRS '" + NameOf(this->Horizontal) + "' gives no longitudes: " + errors.First());
   }
-  toDegrees->Transform(static_cast<int>(x.size()), x.data(), y.data(), nullptr, placed.data());
-
-  for (std::size_t node = 0; node < x.size(); ++node)
+  // Longitudes and latitudes themselves are interpolated without error.
+  const bool exact = this->Geographic && !this->Derived;
+  for (int nodes = DefaultLatticeNodes;; nodes = 2 * nodes - 1)
   {
-    if (!placed[node] || !std::isfinite(x[node]) || !(std::abs(y[node]) <= 90.0))
+    this->FillNodes(georeference, nodes, *toDegrees);
+    if (exact || this->IsFine(georeference, *toDegrees))
+    {
+      return;
+    }
+    if (nodes >= LastLatticeNodes)
     {
       Refuse(this->File,
-        "the point (" + std::to_string(mapX[node]) + ", " + std::to_string(mapY[node]) +
+        "its map '" + NameOf(this->Horizontal) + "' is torn or folded inside the raster: lengths change "
+        "by more than 0.1 % between two of " + std::to_string(nodes) +
+          " places along a side; cut the raster to one side of the tear (gdalwarp -te) or warp it to "
+          "a local map such as UTM (gdalwarp -t_srs)");
+    }
+  }
+}
+
+void CoordinateSystem::ToDegrees(const Georeference& georeference,
+  OGRCoordinateTransformation& toDegrees, std::vector<double>& columns,
+  std::vector<double>& rows) const
+{
+  const std::array<double, 6>& transform = georeference.GeoTransform;
+  const double pole = 90.0 / this->Unit;
+  std::vector<double>& x = columns;
+  std::vector<double>& y = rows;
+  for (std::size_t point = 0; point < x.size(); ++point)
+  {
+    x[point] = transform[0] + (columns[point] + 0.5) * transform[1];
+    y[point] =
+      transform[3] + (static_cast<double>(georeference.Rows) - 0.5 - rows[point]) * transform[5];
+    const double over = std::abs(y[point]) - pole;
+    if (this->Geographic && over > 0.0 && over < PoleSlack * std::abs(transform[5]))
+    {
+      y[point] = std::copysign(pole, y[point]);
+    }
+  }
+  const std::vector<double> mapX = x;
+  const std::vector<double> mapY = y;
+  std::vector<int> placed(x.size(), 0);
+  toDegrees.Transform(static_cast<int>(x.size()), x.data(), y.data(), nullptr, placed.data());
+  for (std::size_t point = 0; point < x.size(); ++point)
+  {
+    if (!placed[point] || !std::isfinite(x[point]) || !(std::abs(y[point]) <= 90.0))
+    {
+      Refuse(this->File,
+        "the point (" + std::to_string(mapX[point]) + ", " + std::to_string(mapY[point]) +
           ") has no place in its CRS '" + NameOf(this->Horizontal) +
           "'; cut the raster to where the map is defined (gdalwarp -te) or correct its CRS");
     }
-    if (node > 0)
+  }
+}
+
+void CoordinateSystem::FillNodes(
+  Georeference& georeference, int nodes, OGRCoordinateTransformation& toDegrees) const
+{
+  std::vector<double> x, y;
+  for (int j = 0; j < nodes; ++j)
+  {
+    for (int i = 0; i < nodes; ++i)
     {
-      const bool firstOfRow = node % nodes == 0;
-      x[node] = Continued(x[node], x[firstOfRow ? node - nodes : node - 1]);
+      x.push_back(i * static_cast<double>(georeference.Columns - 1) / (nodes - 1));
+      y.push_back(j * static_cast<double>(georeference.Rows - 1) / (nodes - 1));
     }
+  }
+  this->ToDegrees(georeference, toDegrees, x, y);
+  const auto side = static_cast<std::size_t>(nodes);
+  for (std::size_t node = 1; node < x.size(); ++node)
+  {
+    x[node] = Continued(x[node], x[node % side == 0 ? node - side : node - 1]);
   }
   georeference.LatticeColumns = nodes;
   georeference.LatticeRows = nodes;
   georeference.Longitude = std::move(x);
   georeference.Latitude = std::move(y);
+}
+
+bool CoordinateSystem::IsFine(
+  const Georeference& georeference, OGRCoordinateTransformation& toDegrees) const
+{
+  const PostSteps middle = georeference.StepsAt(0.5 * static_cast<double>(georeference.Columns - 1),
+    0.5 * static_cast<double>(georeference.Rows - 1));
+  const double width = std::hypot(middle.EastPerColumn, middle.NorthPerColumn) *
+    static_cast<double>(georeference.Columns - 1);
+  const double height = std::hypot(middle.EastPerRow, middle.NorthPerRow) *
+    static_cast<double>(georeference.Rows - 1);
+  if (std::max(width, height) < ShortestChecked)
+  {
+    return true;
+  }
+  // Steps about the nodes, where the interpolated ones err most.
+  const int nodes = georeference.LatticeColumns;
+  const double cellX = static_cast<double>(georeference.Columns - 1) / (nodes - 1);
+  const double cellY = static_cast<double>(georeference.Rows - 1) / (nodes - 1);
+  const int stride = (nodes - 1) / (DefaultLatticeNodes - 1);
+  std::vector<double> columns, rows;
+  for (int j = 0; j < nodes; j += stride)
+  {
+    for (int i = 0; i < nodes; i += stride)
+    {
+      const double column = std::clamp(i * 1.0, 0.125, nodes - 1.125) * cellX;
+      const double row = std::clamp(j * 1.0, 0.125, nodes - 1.125) * cellY;
+      const double reachX = 0.125 * cellX, reachY = 0.125 * cellY;
+      columns.insert(columns.end(), { column - reachX, column + reachX, column, column });
+      rows.insert(rows.end(), { row, row, row - reachY, row + reachY });
+    }
+  }
+  std::vector<double> longitude = columns, latitude = rows;
+  this->ToDegrees(georeference, toDegrees, longitude, latitude);
+  for (std::size_t i = 0; i < columns.size(); i += 2)
+  {
+    std::array<double, 3> truth = NormalAt(longitude[i + 1], latitude[i + 1]);
+    std::array<double, 3> found{};
+    const std::array<double, 3> before = NormalAt(longitude[i], latitude[i]);
+    double lambda = 0.0, phi = 0.0;
+    georeference.LonLatAt(columns[i + 1], rows[i + 1], lambda, phi);
+    found = NormalAt(lambda, phi);
+    georeference.LonLatAt(columns[i], rows[i], lambda, phi);
+    const std::array<double, 3> foundBefore = NormalAt(lambda, phi);
+    double length = 0.0, error = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double step = truth[k] - before[k];
+      const double off = found[k] - foundBefore[k] - step;
+      length += step * step;
+      error += off * off;
+    }
+    // A point where columns meet has no step to compare with.
+    const double whole = std::max(width, height) / georeference.EquatorialRadius;
+    if (error > LatticeTolerance * LatticeTolerance * length &&
+      std::sqrt(length) > 1e-6 * whole)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 } // namespace skyline

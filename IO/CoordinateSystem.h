@@ -4,10 +4,14 @@
 #define skyline_CoordinateSystem_h
 
 #include "Georeference.h"
+#include "RowSpacing.h"
 
 #include <ogr_spatialref.h>
 
 #include <string>
+#include <vector>
+
+class OGRCoordinateTransformation;
 
 namespace skyline
 {
@@ -26,6 +30,15 @@ public:
 
   bool IsGeographic() const { return this->Geographic; }
 
+  /// What its steps are: degrees of longitude and latitude only if it is not derived from another
+  /// geographic CRS (rotated pole).
+  StepUnit GetStepUnit() const
+  {
+    return !this->Geographic ? StepUnit::Metres
+      : this->Derived        ? StepUnit::DerivedDegrees
+                             : StepUnit::Degrees;
+  }
+
   /// Metres in one unit of x and y; degrees in one where the CRS is geographic.
   double GetUnit() const { return this->Unit; }
 
@@ -43,11 +56,16 @@ private:
   void ReadAxes();
   void ReadUnits(const OGRSpatialReference& whole);
   void FillLattice(Georeference& georeference) const;
+  void FillNodes(Georeference& georeference, int nodes, OGRCoordinateTransformation& toDegrees) const;
+  bool IsFine(const Georeference& georeference, OGRCoordinateTransformation& toDegrees) const;
+  void ToDegrees(const Georeference& georeference, OGRCoordinateTransformation& toDegrees,
+    std::vector<double>& columns, std::vector<double>& rows) const;
 
   std::string File;
   std::string Wkt; ///< of the whole CRS, vertical part included
   OGRSpatialReference Horizontal;
   bool Geographic = false;
+  bool Derived = false;
   bool OnBody = false;
   bool SouthWest = false;
   double Unit = 1.0;

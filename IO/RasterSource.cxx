@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 #include <type_traits>
 
 namespace skyline
@@ -237,8 +238,16 @@ void RasterSource::ReadPlace()
   }
 
   const double unit = this->Crs.GetUnit();
-  const PostSpacing spacing = ComputeRowSpacing(this->Whole, std::abs(transform[1]) * unit,
-    std::abs(transform[5]) * unit, this->Crs.IsGeographic());
+  PostSpacing spacing;
+  try
+  {
+    spacing = ComputeRowSpacing(this->Whole, std::abs(transform[1]) * unit,
+      std::abs(transform[5]) * unit, this->Crs.GetStepUnit());
+  }
+  catch (const std::invalid_argument& reason)
+  {
+    this->Refuse(reason.what());
+  }
   this->Spacing = { { spacing.X, spacing.Y } };
   if (!this->Crs.IsGeographic())
   {

@@ -35,7 +35,9 @@ bool TwinFilter::Attempt(
   vtkObject* filter, HorizonScene& scene, const std::function<void()>& compute)
 {
   this->OnDevice = this->Filled = this->OneTile = false;
-  if (!TwinHarmonics::Unknown(scene.UsedSettings()).empty())
+  // The twins know bands of rows; other distorted maps are left to the host.
+  const bool rows = scene.Ground().Uniform() || scene.Ground().ByRows();
+  if (!rows || !TwinHarmonics::Unknown(scene.UsedSettings()).empty())
   {
     return false;
   }

@@ -78,7 +78,9 @@ bool vtkOpenGLHeightFieldHorizon::Sweep(
     *passes, this->Sweeps->Failure(this), scene.PreparedField(), scene.UsedSettings());
   skyline::StoreAccumulator store(
     scene.Posts().Columns, values, static_cast<std::ptrdiff_t>(azimuths.size()));
-  const bool finished = scene.Run(method, azimuths, 0.0, store);
+  scene.DoubtOneMetric("the sweep", scene.CentreMetric());
+  const bool finished =
+    scene.Run(method, azimuths, 0.0, store, skyline::AzimuthAxes::Image);
   this->Twin->OnDevice = this->Sweeps->OnDevice;
   return finished;
 }

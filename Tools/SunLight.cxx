@@ -121,7 +121,7 @@ SunLight FindSun(const SunOptions& options, const Georeference& place, double he
     sun.GridAzimuth = Turned(sun.GridAzimuth);
     sun.ApparentElevation = sun.Elevation;
     sun.TrueAzimuth =
-      sun.TrueNorth ? Turned(sun.GridAzimuth + place.ConvergenceAt(column, row)) : sun.GridAzimuth;
+      sun.TrueNorth ? place.TrueAzimuthAt(column, row, sun.GridAzimuth) : sun.GridAzimuth;
   }
   if (options.Radius != TrueRadius)
   {

@@ -80,7 +80,7 @@ void StoreGeoreference(const Georeference& georeference, vtkDataObject* data)
 {
   vtkFieldData* fields = data->GetFieldData();
   for (const char* name : { CrsArrayName, GeoTransformArrayName, BodyArrayName, LatticeArrayName,
-         LatticeSizeArrayName, RowSpacingArrayName, PostCountArrayName })
+         LatticeSizeArrayName, RowSpacingArrayName, DegreesArrayName, PostCountArrayName })
   {
     fields->RemoveArray(name);
   }
@@ -112,6 +112,11 @@ void StoreGeoreference(const Georeference& georeference, vtkDataObject* data)
     AddPairs(fields, LatticeArrayName, georeference.Longitude, georeference.Latitude);
   }
   AddPairs(fields, RowSpacingArrayName, georeference.RowSpacingX, georeference.RowSpacingY);
+  if (georeference.InDegrees)
+  {
+    const double yes = 1.0;
+    AddNumbers(fields, DegreesArrayName, 1, &yes, 1);
+  }
   const double posts[2] = { static_cast<double>(georeference.Columns),
     static_cast<double>(georeference.Rows) };
   AddNumbers(fields, PostCountArrayName, 2, posts, 1);
@@ -166,6 +171,8 @@ Georeference LoadGeoreference(vtkDataObject* data)
       georeference.LatticeRows = rows;
     }
   }
+  vtkDataArray* degrees = FindNumbers(fields, DegreesArrayName, 1);
+  georeference.InDegrees = degrees && degrees->GetComponent(0, 0) != 0.0;
   LoadPairs(fields, RowSpacingArrayName, georeference.Rows, georeference.RowSpacingX,
     georeference.RowSpacingY);
   return georeference;

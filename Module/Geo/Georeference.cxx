@@ -3,9 +3,9 @@
 
 #include "Azimuth.h"
 #include "Constants.h"
-#include "RowSpacing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -58,12 +58,9 @@ private:
 
 /// Place of a post, and how the normal (radians) or, after FrameAt, the place (metres) moves from
 /// post to post.
-struct LocalFrame
+struct LocalFrame : PostSteps
 {
   double Longitude = 0.0, Latitude = 0.0; // degrees
-  double EastPerColumn = 0.0, NorthPerColumn = 0.0;
-  double EastPerRow = 0.0, NorthPerRow = 0.0;
-  bool AlongGraticule = false; // columns run along parallels, rows along meridians
 };
 
 /// A value interpolated on the lattice, with its derivatives per column and row.
@@ -104,16 +101,17 @@ std::size_t NodeIndex(const Georeference& place, int column, int row)
     static_cast<std::size_t>(column);
 }
 
-/// True when the stencil's nodes share longitudes along rows and latitudes along columns.
-bool FollowsGraticule(const Georeference& place, const Stencil& across, const Stencil& along)
+/// True when three columns and rows of nodes share longitudes along columns and latitudes along rows.
+bool AreGraticule(
+  const Georeference& place, const std::array<int, 3>& columns, const std::array<int, 3>& rows)
 {
-  for (int j = 0; j < along.Count; ++j)
+  for (const int row : rows)
   {
-    for (int i = 0; i < across.Count; ++i)
+    for (const int column : columns)
     {
-      const std::size_t node = NodeIndex(place, across.First + i, along.First + j);
-      const std::size_t below = NodeIndex(place, across.First + i, along.First);
-      const std::size_t left = NodeIndex(place, across.First, along.First + j);
+      const std::size_t node = NodeIndex(place, column, row);
+      const std::size_t below = NodeIndex(place, column, rows[0]);
+      const std::size_t left = NodeIndex(place, columns[0], row);
       // Negated so that NaN does not follow.
       if (!(std::abs(place.Longitude[node] - place.Longitude[below]) <= SameDegrees) ||
         !(std::abs(place.Latitude[node] - place.Latitude[left]) <= SameDegrees))
@@ -123,6 +121,12 @@ bool FollowsGraticule(const Georeference& place, const Stencil& across, const St
     }
   }
   return true;
+}
+
+std::array<int, 3> NodesOf(const Stencil& stencil)
+{
+  const int last = stencil.First + stencil.Count - 1;
+  return { { stencil.First, stencil.First + stencil.Count / 2, last } };
 }
 
 /// Interpolates longitude and latitude themselves: exact on geographic rasters, poles included.
@@ -202,9 +206,8 @@ LocalFrame FrameAt(const Georeference& place, double column, double row)
   const Stencil along(row, place.Rows, place.LatticeRows);
 
   LocalFrame frame;
-  frame.AlongGraticule = FollowsGraticule(place, across, along);
-  const auto interpolate = frame.AlongGraticule ? InterpolateAngles : InterpolateNormals;
-  interpolate(place, across, along, frame);
+  const bool graticule = AreGraticule(place, NodesOf(across), NodesOf(along));
+  (graticule ? InterpolateAngles : InterpolateNormals)(place, across, along, frame);
   if (!std::isfinite(frame.Longitude) || !std::isfinite(frame.Latitude))
   {
     throw std::invalid_argument("post " + std::to_string(column) + "," + std::to_string(row) +
@@ -225,24 +228,21 @@ LocalFrame FrameAt(const Georeference& place, double column, double row)
 }
 
 /// The frame per metre of the image instead of per post, so that a map without distortion has a
-/// rotation matrix here.
-void ScaleToImage(const Georeference& place, double row, LocalFrame& frame)
+/// rotation matrix here. On the graticule and in degrees the image's lengths are the true ones;
+/// elsewhere only the ratio of the map's counts.
+void ScaleToImage(const Georeference& place, LocalFrame& frame)
 {
-  // Along the graticule the image's spacing is the true one. Elsewhere only the ratio counts.
-  PostSpacing spacing{ std::hypot(frame.EastPerColumn, frame.NorthPerColumn),
-    std::hypot(frame.EastPerRow, frame.NorthPerRow) };
-  if (!frame.AlongGraticule)
+  double x = std::hypot(frame.EastPerColumn, frame.NorthPerColumn);
+  double y = std::hypot(frame.EastPerRow, frame.NorthPerRow);
+  if (!place.InDegrees && place.HasGeoTransform && !place.FollowsGraticule())
   {
-    if (place.HasGeoTransform)
-    {
-      spacing = { std::abs(place.GeoTransform[1]), std::abs(place.GeoTransform[5]) };
-    }
-    spacing = RowSpacingAt(place, row, spacing);
+    x = std::abs(place.GeoTransform[1]);
+    y = std::abs(place.GeoTransform[5]);
   }
-  frame.EastPerColumn /= spacing.X;
-  frame.NorthPerColumn /= spacing.X;
-  frame.EastPerRow /= spacing.Y;
-  frame.NorthPerRow /= spacing.Y;
+  frame.EastPerColumn /= x;
+  frame.NorthPerColumn /= x;
+  frame.EastPerRow /= y;
+  frame.NorthPerRow /= y;
 }
 
 } // namespace
@@ -254,10 +254,23 @@ void Georeference::LonLatAt(double column, double row, double& longitude, double
   latitude = frame.Latitude;
 }
 
+PostSteps Georeference::StepsAt(double column, double row) const
+{
+  return FrameAt(*this, column, row);
+}
+
+bool Georeference::FollowsGraticule() const
+{
+  Check(*this);
+  const int columns = this->LatticeColumns, rows = this->LatticeRows;
+  return AreGraticule(
+    *this, { { 0, columns / 2, columns - 1 } }, { { 0, rows / 2, rows - 1 } });
+}
+
 double Georeference::ConvergenceAt(double column, double row) const
 {
   LocalFrame frame = FrameAt(*this, column, row);
-  ScaleToImage(*this, row, frame);
+  ScaleToImage(*this, frame);
   // A rotation by c has EastPerRow = -NorthPerColumn = sin c, NorthPerRow = EastPerColumn = cos c;
   // their means are the rotation nearest to a matrix that is not one.
   return std::atan2(
@@ -268,7 +281,7 @@ double Georeference::ConvergenceAt(double column, double row) const
 double Georeference::GridAzimuthAt(double column, double row, double trueAzimuth) const
 {
   LocalFrame frame = FrameAt(*this, column, row);
-  ScaleToImage(*this, row, frame);
+  ScaleToImage(*this, frame);
   const double east = std::sin(trueAzimuth * RadiansPerDegree);
   const double north = std::cos(trueAzimuth * RadiansPerDegree);
   // Cramer's rule; the determinant's size does not matter to the direction, its sign does.
@@ -278,6 +291,32 @@ double Georeference::GridAzimuthAt(double column, double row, double trueAzimuth
   const double x = sign * (east * frame.NorthPerRow - north * frame.EastPerRow);
   const double y = sign * (north * frame.EastPerColumn - east * frame.NorthPerColumn);
   return AzimuthOf(x, y);
+}
+
+double Georeference::TrueAzimuthAt(double column, double row, double gridAzimuth) const
+{
+  LocalFrame frame = FrameAt(*this, column, row);
+  ScaleToImage(*this, frame);
+  const double x = std::sin(gridAzimuth * RadiansPerDegree);
+  const double y = std::cos(gridAzimuth * RadiansPerDegree);
+  return AzimuthOf(x * frame.EastPerColumn + y * frame.EastPerRow,
+    x * frame.NorthPerColumn + y * frame.NorthPerRow);
+}
+
+double Georeference::GroundAzimuthAt(double column, double row, double trueAzimuth) const
+{
+  const LocalFrame frame = FrameAt(*this, column, row);
+  const double east = std::sin(trueAzimuth * RadiansPerDegree);
+  const double north = std::cos(trueAzimuth * RadiansPerDegree);
+  // Turned so that the row's step is the y axis.
+  return AzimuthOf(east * frame.NorthPerRow - north * frame.EastPerRow,
+    north * frame.NorthPerRow + east * frame.EastPerRow);
+}
+
+double Georeference::AxisAzimuthAt(double column, double row, double trueAzimuth) const
+{
+  return this->GroundAxes ? this->GroundAzimuthAt(column, row, trueAzimuth)
+                          : this->GridAzimuthAt(column, row, trueAzimuth);
 }
 
 double Georeference::LocalRadius(double latitude) const

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RowSpacing.h"
 
+#include "GroundMetric.h"
+
 #include <GeographicLib/Geodesic.hpp>
 
 #include <algorithm>
@@ -125,21 +127,22 @@ bool Near(const PostSpacing& value, const PostSpacing& reference, double toleran
 } // namespace
 
 PostSpacing ComputeRowSpacing(
-  Georeference& place, double nominalX, double nominalY, bool nominalInDegrees)
+  Georeference& place, double nominalX, double nominalY, StepUnit unit)
 {
   CheckSteps(nominalX, nominalY);
-  if (nominalInDegrees)
+  if (unit != StepUnit::Metres)
   {
     CheckDegrees(nominalX, nominalY);
   }
   place.RowSpacingX.clear();
   place.RowSpacingY.clear();
+  place.InDegrees = unit != StepUnit::Metres;
   const PostSpacing nominal{ nominalX, nominalY };
-  if (!nominalInDegrees)
+  if (unit == StepUnit::Metres)
   {
     const double extent = std::max(
       nominalX * static_cast<double>(place.Columns), nominalY * static_cast<double>(place.Rows));
-    if (!place.OnBody() || extent < ShortestBase)
+    if (!place.OnBody() || extent < ShortestBase || GroundMetric(place, nominal).Uniform())
     {
       return nominal;
     }
@@ -147,30 +150,29 @@ PostSpacing ComputeRowSpacing(
 
   double longitude = 0.0, latitude = 0.0;
   place.LonLatAt(0.0, 0.0, longitude, latitude); // refuses what has no body
+  if (unit != StepUnit::Degrees && !place.FollowsGraticule())
+  {
+    const PostMetric centre = GroundMetric(place, nominal).Centre();
+    return { std::hypot(centre.X, centre.Shear), centre.Y };
+  }
   const Ruler ruler(place);
   const auto measure = [&](double row)
   {
-    const PostSpacing found = nominalInDegrees ? ruler.Geographic(row, nominalX, nominalY)
-                                               : ruler.Projected(row, nominalX, nominalY);
+    const PostSpacing found = unit == StepUnit::Metres ? ruler.Projected(row, nominalX, nominalY)
+                                                       : ruler.Geographic(row, nominalX, nominalY);
     CheckSteps(found.X, found.Y); // too small for double, or a map without an inverse here
     return found;
   };
   const PostSpacing centre = measure(0.5 * static_cast<double>(place.Rows - 1));
 
   std::vector<double> x, y;
-  bool trueMap = !nominalInDegrees && Near(centre, nominal, ProjectedScaleTolerance);
   bool uniform = true;
   for (std::ptrdiff_t row = 0; row < place.Rows; ++row)
   {
     const PostSpacing spacing = measure(static_cast<double>(row));
-    trueMap = trueMap && Near(spacing, nominal, ProjectedScaleTolerance);
     uniform = uniform && Near(spacing, centre, RowSpacingUniformity);
     x.push_back(spacing.X);
     y.push_back(spacing.Y);
-  }
-  if (trueMap)
-  {
-    return nominal;
   }
   if (!uniform)
   {

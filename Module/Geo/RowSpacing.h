@@ -8,10 +8,6 @@
 namespace skyline
 {
 
-/// A projected map whose scale is truer than this everywhere is taken at its word. UTM stays within
-/// 0.1 %, Albers of the United States within 1.3 %; web Mercator at 49 degrees is off by half.
-constexpr double ProjectedScaleTolerance = 0.02;
-
 /// Rows whose spacing differs less than this from the centre row's count as all the same: a
 /// distance off by 0.01 % turns no horizon by more than 0.003 degrees.
 constexpr double RowSpacingUniformity = 1e-4;
@@ -26,21 +22,29 @@ struct PostSpacing
   double X = 1.0, Y = 1.0;
 };
 
+/// What the steps of a raster are.
+enum class StepUnit
+{
+  Metres,        ///< on a map or without a place
+  Degrees,       ///< of longitude and latitude
+  DerivedDegrees ///< of another sphere of longitudes and latitudes, such as one with a rotated pole
+};
+
 /// Fills RowSpacingX and RowSpacingY (one pair a row from the south, or empty where every row is
-/// within RowSpacingUniformity of the centre row) and returns the centre row's spacing, metres.
+/// within RowSpacingUniformity of the centre row) and returns the centre's spacing, metres.
 ///
-/// `nominalX`, `nominalY`: the raster's steps, above 0; metres, or with `nominalInDegrees` degrees
-/// of longitude and latitude. In degrees the true spacing is measured, by GeographicLib's geodesics
-/// on the body's ellipsoid along the row and along the meridian. In metres the steps are true
-/// unless their scale, measured likewise at the middle of every row, is off by more than
-/// ProjectedScaleTolerance somewhere; then all rows get measured spacings. A height field without a
-/// body, or smaller than a metre, keeps its nominal metres.
+/// `nominalX`, `nominalY`: the raster's steps, above 0. In degrees the true spacing is measured, by
+/// GeographicLib's geodesics on the body's ellipsoid along the row and along the meridian. Metres are
+/// true where GroundMetric finds them so; elsewhere the rows of a map that follows the graticule (web
+/// Mercator, plate carree) get measured spacings. On every other map, and for derived degrees, no row has
+/// one spacing: the rows stay empty, the centre's is returned, and GroundMetric tells the posts'. A height
+/// field without a body, or smaller than a metre, keeps its nominal metres.
 ///
 /// A row at a pole has no width; it gets the one a quarter of a row away, the mean over the half
 /// row that its posts stand for. Throws std::invalid_argument for steps that are not positive
-/// numbers, and for degrees without a body.
+/// numbers, for degrees without a body, and what GroundMetric throws.
 PostSpacing ComputeRowSpacing(
-  Georeference& place, double nominalX, double nominalY, bool nominalInDegrees);
+  Georeference& place, double nominalX, double nominalY, StepUnit unit = StepUnit::Metres);
 
 /// Metres between the posts at a row, which may be fractional (the nearest row's is taken);
 /// `uniform` where the georeference has one spacing for all.

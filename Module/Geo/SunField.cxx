@@ -21,6 +21,10 @@ namespace
 constexpr std::ptrdiff_t FirstSide = 5;
 constexpr std::ptrdiff_t LastSide = 257;
 
+/// Suns closer than this (degrees) everywhere are one: rounding of a raster whose axes are at right
+/// angles.
+constexpr double SameDirection = 1e-6;
+
 /// Position between two nodes.
 struct Place
 {
@@ -79,6 +83,19 @@ SunField::SunField(
   };
   this->DiscRadius = sunAt(0.5 * lastColumn, 0.5 * lastRow).AngularRadius;
 
+  this->Fill(place,
+    [&](double column, double row)
+    {
+      const SunDirection sun = sunAt(column, row);
+      return FromAngles(place.AxisAzimuthAt(column, row, sun.Azimuth), sun.ApparentElevation);
+    });
+}
+
+template <typename SunAt>
+void SunField::Fill(const Georeference& place, const SunAt& vectorAt)
+{
+  const double lastColumn = static_cast<double>(place.Columns - 1);
+  const double lastRow = static_cast<double>(place.Rows - 1);
   const auto make = [&](std::ptrdiff_t side)
   {
     SunField field;
@@ -91,9 +108,7 @@ SunField::SunField(
       {
         const double column = static_cast<double>(i) / field.NodesPerColumn;
         const double row = static_cast<double>(j) / field.NodesPerRow;
-        const SunDirection sun = sunAt(column, row);
-        field.Nodes.push_back(
-          FromAngles(place.GridAzimuthAt(column, row, sun.Azimuth), sun.ApparentElevation));
+        field.Nodes.push_back(vectorAt(column, row));
       }
     }
     return field;
@@ -145,6 +160,28 @@ SunField SunField::Constant(double azimuth, double elevation, double radius)
   SunField field;
   field.Nodes.push_back(FromAngles(std::fmod(azimuth, 360.0), elevation));
   field.DiscRadius = radius;
+  return field;
+}
+
+SunField SunField::OnImage(
+  const Georeference& place, double azimuth, double elevation, double radius)
+{
+  SunField field = Constant(azimuth, elevation, radius);
+  if (place.GroundAxes && place.OnBody())
+  {
+    field.Fill(place,
+      [&](double column, double row)
+      {
+        const double direction = place.TrueAzimuthAt(column, row, std::fmod(azimuth, 360.0));
+        return FromAngles(place.GroundAzimuthAt(column, row, direction), elevation);
+      });
+    const SunVector& first = field.Nodes.front();
+    if (std::all_of(field.Nodes.begin(), field.Nodes.end(),
+          [&](const SunVector& node) { return Angle(first, node) <= SameDirection; }))
+    {
+      return Constant(azimuth, elevation, radius);
+    }
+  }
   return field;
 }
 

@@ -16,10 +16,10 @@ namespace skyline
 /// wide.
 constexpr double SunFieldTolerance = 0.002;
 
-/// The sun at a post, on the image's axes.
+/// The sun at a post, on the axes of the computation.
 struct GridSun
 {
-  double Azimuth = 0.0;   ///< degrees clockwise from the image's +y axis, 0 up to 360
+  double Azimuth = 0.0;   ///< degrees, 0 up to 360, as Georeference::AxisAzimuthAt counts
   double Elevation = 0.0; ///< degrees, apparent (lifted by the air)
   double Radius = 0.0;    ///< degrees, of the disc
 };
@@ -48,6 +48,14 @@ public:
   /// elevation (-90 to 90) and the disc's radius (0 up to 90), degrees. Throws std::out_of_range.
   static SunField Constant(double azimuth, double elevation, double radius);
 
+  /// The sun in one direction on the image. Where the directions over `place` are counted on the ground
+  /// (Georeference::GroundAxes), that is another one at every post; elsewhere it is Constant's.
+  static SunField OnImage(
+    const Georeference& place, double azimuth, double elevation, double radius);
+
+  /// The sun has one direction everywhere.
+  bool Same() const { return this->Nodes.size() == 1; }
+
   /// The sun at a post; fractions are allowed, posts beyond the edge get the edge's sun.
   GridSun At(double column, double row) const;
 
@@ -73,6 +81,8 @@ public:
 
 private:
   SunField() = default;
+  template <typename SunAt>
+  void Fill(const Georeference& place, const SunAt& vectorAt);
   const SunVector& Node(std::ptrdiff_t column, std::ptrdiff_t row) const;
   SunVector Interpolate(double column, double row) const;
 

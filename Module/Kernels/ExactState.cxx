@@ -63,6 +63,9 @@ void SegmentHoles::Build(const RayFrame& frame, const MissingMap& posts, std::pt
 void ExactState::Set(const RayFrame& frame, bool corners, double tolerance, float largestHeight)
 {
   this->Frame = &frame;
+  this->LineBegin = this->LaneBegin = 0;
+  this->LineEnd = frame.Lines;
+  this->LaneEnd = frame.Lanes;
   constexpr std::ptrdiff_t margin = 96; // the bounds' own margin and a vector read beyond it
   this->Bounds.Resize(frame.Lines, ((frame.Lanes + 2 * margin + 15) / 16 | 1) * 16, margin);
   this->Support = static_cast<float>(SupportSlope * frame.StepLength);
@@ -88,6 +91,30 @@ void ExactState::Set(const RayFrame& frame, bool corners, double tolerance, floa
     this->Reach[static_cast<std::size_t>(e)] =
       frame.Drift > 0 ? SegmentReach{ first, last } : SegmentReach{ 1 - last, 1 - first };
   }
+}
+
+ExactState::LaneRange ExactState::LanesAt(std::ptrdiff_t near, std::ptrdiff_t lines) const
+{
+  const std::ptrdiff_t first = -BoundMargin;
+  const std::ptrdiff_t last = this->Frame->Lanes + BoundMargin;
+  if (this->LaneBegin <= 0 && this->LaneEnd >= this->Frame->Lanes && this->LineBegin == 0)
+  {
+    return { first, last };
+  }
+  if (near + lines <= this->LineBegin)
+  {
+    return { first, first };
+  }
+  // Receivers drift the least from the last line before the edge and the most from their first one.
+  // Blocks reach beyond the last receiver, and a group looks up its segments a lane aside.
+  constexpr std::ptrdiff_t aside = 4, block = 64 + aside;
+  const std::ptrdiff_t least =
+    this->Frame->DriftAfter(std::max<std::ptrdiff_t>(0, near - (this->LineEnd - 1)));
+  const std::ptrdiff_t most =
+    this->Frame->DriftAfter(std::max<std::ptrdiff_t>(0, near - this->LineBegin));
+  const bool up = this->Frame->Drift > 0;
+  return { std::clamp(this->LaneBegin + (up ? least : -most) - aside, first, last),
+    std::clamp(this->LaneEnd + (up ? most : -least) + block, first, last) };
 }
 
 } // namespace skyline

@@ -8,13 +8,15 @@
 namespace skyline
 {
 
-/// A regular lattice of posts. Columns run east, rows run north; row 0 is the south edge.
+/// A regular lattice of posts. Rows run north, columns run east; row 0 is the south edge. The next row
+/// lies at (0, SpacingY), the next column at (SpacingX, Shear), metres.
 struct Grid
 {
   std::ptrdiff_t Columns = 0; ///< posts from west to east, at least 2
   std::ptrdiff_t Rows = 0;    ///< posts from south to north, at least 2
   double SpacingX = 1.0;      ///< metres between columns, above 0
   double SpacingY = 1.0;      ///< metres between rows, above 0
+  double Shear = 0.0;         ///< metres by which a column lies further north than the one before
 };
 
 /// The surface through the posts.

@@ -40,7 +40,8 @@ void BuildBounds(ExactState& state, std::ptrdiff_t group)
     const std::ptrdiff_t lines = std::min(SegmentBounds::Lines, frame.Lines - 1 - near);
     float* level = bounds.Level(segment);
     float* tilted = bounds.Tilted(segment);
-    for (std::ptrdiff_t lane = laneBegin; lane < laneEnd; lane += width)
+    const ExactState::LaneRange asked = state.LanesAt(near, SegmentBounds::Lines);
+    for (std::ptrdiff_t lane = asked.Begin; lane < asked.End; lane += width)
     {
       Vector top = hn::Set(tag, MissingHeight);
       Vector leaning = top;
@@ -64,7 +65,8 @@ void BuildBounds(ExactState& state, std::ptrdiff_t group)
 
   float* level = bounds.GroupLevel(group);
   float* tilted = bounds.GroupTilted(group);
-  for (std::ptrdiff_t lane = laneBegin; lane < laneEnd; lane += width)
+  const ExactState::LaneRange asked = state.LanesAt(segmentBegin * SegmentBounds::Lines, 0);
+  for (std::ptrdiff_t lane = asked.Begin; lane < asked.End; lane += width)
   {
     Vector top = hn::Set(tag, MissingHeight);
     Vector leaning = top;
@@ -396,6 +398,15 @@ void HorizonExact::SetAzimuth(const Grid& grid, double azimuth)
     this->Ray->Against || this->Field.HasMissing() || this->Settings.Shape == Surface::Bilinear;
   this->State.Set(*this->Ray, corners, this->Settings.Tolerance, this->Field.LargestHeight());
   this->State.Holes.Resize(this->Field.MissingPosts(this->Ray->Columns));
+}
+
+void HorizonExact::SetReceivers(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd,
+  std::ptrdiff_t laneBegin, std::ptrdiff_t laneEnd)
+{
+  this->State.LineBegin = lineBegin;
+  this->State.LineEnd = lineEnd;
+  this->State.LaneBegin = laneBegin;
+  this->State.LaneEnd = laneEnd;
 }
 
 std::ptrdiff_t HorizonExact::PrepareCount() const

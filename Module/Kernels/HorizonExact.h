@@ -121,7 +121,16 @@ struct ExactState
     return this->Frame->SinkPerLine2 * static_cast<float>(from) * static_cast<float>(from);
   }
 
+  /// Lanes of bounds that receivers ask for, on a segment or group whose near edge is line `near`.
+  /// Empty where all of them stand beyond it.
+  struct LaneRange
+  {
+    std::ptrdiff_t Begin, End;
+  };
+  LaneRange LanesAt(std::ptrdiff_t near, std::ptrdiff_t lines) const;
+
   const RayFrame* Frame = nullptr;
+  std::ptrdiff_t LineBegin = 0, LineEnd = 0, LaneBegin = 0, LaneEnd = 0; ///< the receivers
   SegmentBounds Bounds;
   SegmentHoles Holes;
   std::array<SegmentReach, SegmentBounds::Lines + 1> Reach{};
@@ -137,6 +146,8 @@ public:
   HorizonExact(const HeightField& field, const HorizonSettings& settings);
 
   void SetAzimuth(const Grid& grid, double azimuth) override;
+  void SetReceivers(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd, std::ptrdiff_t laneBegin,
+    std::ptrdiff_t laneEnd) override;
   std::ptrdiff_t PrepareCount() const override;
   void Prepare(std::ptrdiff_t begin, std::ptrdiff_t end) override;
   void Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd, std::ptrdiff_t laneBegin,

@@ -51,6 +51,17 @@ public:
   /// posts, with the spacing that holds where the receivers are.
   virtual void SetAzimuth(const Grid& grid, double azimuth) = 0;
 
+  /// Promises, between SetAzimuth and Prepare, that Find will be asked for no other lines and lanes, so
+  /// that less needs to be prepared. Without it for all.
+  virtual void SetReceivers(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd,
+    std::ptrdiff_t laneBegin, std::ptrdiff_t laneEnd)
+  {
+    (void)lineBegin;
+    (void)lineEnd;
+    (void)laneBegin;
+    (void)laneEnd;
+  }
+
   /// Independent pieces of the preparation of an azimuth.
   virtual std::ptrdiff_t PrepareCount() const = 0;
   virtual void Prepare(std::ptrdiff_t begin, std::ptrdiff_t end) = 0;

@@ -400,9 +400,9 @@ std::vector<PyramidReach> PyramidReaches(
 std::vector<PyramidReach> PyramidReaches(const std::vector<PyramidSize>& levels,
   const PyramidSettings& settings, const Grid& grid, double azimuth)
 {
-  const Direction toward = DirectionOfAzimuth(azimuth);
-  const double east = toward.East / grid.SpacingX; // posts a metre
-  const double north = toward.North / grid.SpacingY;
+  const PostsPerMetre ray = RayOfAzimuth(grid, azimuth);
+  const double east = ray.Columns;
+  const double north = ray.Rows;
   const double metresPerPost = 1.0 / std::hypot(east, north);
   std::vector<PyramidReach> reaches;
   const double finest = static_cast<double>(levels.size()) - 1.0;

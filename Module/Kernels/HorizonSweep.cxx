@@ -61,11 +61,9 @@ void HorizonSweep::SetAzimuth(const Grid& grid, double azimuth)
   this->Ray = std::make_unique<RayFrame>(this->Field, grid, azimuth, this->Settings.Sink);
   // In posts, whatever their spacing: with a step of the shorter one, posts 1000 times as long as wide
   // would make a million samples of each.
-  const Direction metres = DirectionOfAzimuth(azimuth);
-  const double east = metres.East / grid.SpacingX;
-  const double north = metres.North / grid.SpacingY;
-  const double rate = std::hypot(east, north);
-  this->Along = { east / rate, north / rate };
+  const PostsPerMetre ray = RayOfAzimuth(grid, azimuth);
+  const double rate = std::hypot(ray.Columns, ray.Rows);
+  this->Along = { ray.Columns / rate, ray.Rows / rate };
   this->Step = 1.0 / rate;
   const auto width = static_cast<double>(grid.Columns - 1);
   const auto height = static_cast<double>(grid.Rows - 1);

@@ -67,17 +67,24 @@ Direction DirectionOfAzimuth(double degrees)
   }
 }
 
+PostsPerMetre RayOfAzimuth(const Grid& grid, double degrees)
+{
+  const Direction direction = DirectionOfAzimuth(degrees);
+  const double columns = direction.East / grid.SpacingX;
+  return { columns, (direction.North - grid.Shear * columns) / grid.SpacingY };
+}
+
 bool RayFrame::TakesColumns(const Grid& grid, double azimuth)
 {
-  const Direction direction = DirectionOfAzimuth(azimuth);
-  return std::abs(direction.East / grid.SpacingX) > std::abs(direction.North / grid.SpacingY);
+  const PostsPerMetre ray = RayOfAzimuth(grid, azimuth);
+  return std::abs(ray.Columns) > std::abs(ray.Rows);
 }
 
 RayFrame::RayFrame(const HeightField& field, const Grid& grid, double azimuth, double sink)
 {
-  const Direction direction = DirectionOfAzimuth(azimuth);
-  double along = direction.North / grid.SpacingY; // lines per metre
-  double across = direction.East / grid.SpacingX; // lanes per metre
+  const PostsPerMetre ray = RayOfAzimuth(grid, azimuth);
+  double along = ray.Rows;     // lines per metre
+  double across = ray.Columns; // lanes per metre
   this->Columns = TakesColumns(grid, azimuth);
   if (this->Columns)
   {

@@ -22,6 +22,13 @@ struct Direction
 };
 Direction DirectionOfAzimuth(double degrees);
 
+/// Columns and rows a metre along an azimuth on a grid.
+struct PostsPerMetre
+{
+  double Columns, Rows;
+};
+PostsPerMetre RayOfAzimuth(const Grid& grid, double degrees);
+
 /// What a ray meets from line D - 1 to line D ahead of its receiver. `trail` and `lead` are the two
 /// posts of a line on either side of the ray, the lead on the side the ray drifts to. A slope, in
 /// metres of height per line, is  a * A + b * B - sink  with heights A, B above the receiver.

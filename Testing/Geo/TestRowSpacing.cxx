@@ -44,7 +44,7 @@ void ExpectSane(const Georeference& place)
 TEST(RowSpacing, SixtyDegreesOfLatitudeAreRadiiOfCurvature)
 {
   Georeference place = OnMap(Geographic, 5.0, 10.0, 0.05, 0.05, 201, 1201);
-  const PostSpacing centre = ComputeRowSpacing(place, 0.05, 0.05, true);
+  const PostSpacing centre = ComputeRowSpacing(place, 0.05, 0.05, StepUnit::Degrees);
   ASSERT_EQ(place.RowSpacingX.size(), 1201u);
   ASSERT_EQ(place.RowSpacingY.size(), 1201u);
   for (std::size_t row = 0; row < 1201; ++row)
@@ -64,7 +64,7 @@ TEST(RowSpacing, SmallGeographicRasterHasOneSpacing)
 {
   // Ten rows of 30 m: the cosine changes by 4e-5.
   Georeference place = OnMap(Geographic, -122.3, 46.1, 1.0 / 3600, 1.0 / 3600, 12, 10);
-  const PostSpacing centre = ComputeRowSpacing(place, 1.0 / 3600, 1.0 / 3600, true);
+  const PostSpacing centre = ComputeRowSpacing(place, 1.0 / 3600, 1.0 / 3600, StepUnit::Degrees);
   EXPECT_TRUE(place.RowSpacingX.empty());
   EXPECT_NEAR(centre.X / EastMetres(46.10125, 1.0 / 3600), 1.0, ArcTolerance);
   EXPECT_NEAR(centre.Y / NorthMetres(46.10125, 1.0 / 3600), 1.0, ArcTolerance);
@@ -75,8 +75,8 @@ TEST(RowSpacing, AntimeridianIsLikeAnywhereElse)
 {
   Georeference here = OnMap(Geographic, 10.0, 50.0, 0.01, 0.01, 101, 101);
   Georeference there = OnMap(Geographic, 179.5, 50.0, 0.01, 0.01, 101, 101);
-  ComputeRowSpacing(here, 0.01, 0.01, true);
-  ComputeRowSpacing(there, 0.01, 0.01, true);
+  ComputeRowSpacing(here, 0.01, 0.01, StepUnit::Degrees);
+  ComputeRowSpacing(there, 0.01, 0.01, StepUnit::Degrees);
   ASSERT_EQ(here.RowSpacingX.size(), there.RowSpacingX.size());
   for (std::size_t row = 0; row < here.RowSpacingX.size(); ++row)
   {
@@ -89,13 +89,13 @@ TEST(RowSpacing, RowsNearAndOnThePolesHaveAWidth)
 {
   // To 89.9 degrees, then a global raster whose first and last rows are the poles themselves.
   Georeference place = OnMap(Geographic, 0.0, 89.0, 0.01, 0.01, 101, 91);
-  ComputeRowSpacing(place, 0.01, 0.01, true);
+  ComputeRowSpacing(place, 0.01, 0.01, StepUnit::Degrees);
   ASSERT_EQ(place.RowSpacingX.size(), 91u);
   ExpectSane(place);
   EXPECT_NEAR(place.RowSpacingX.back() / EastMetres(89.9, 0.01), 1.0, 1e-6);
 
   Georeference world = OnMap(Geographic, -180.0, -90.0, 1.0, 1.0, 361, 181);
-  ComputeRowSpacing(world, 1.0, 1.0, true);
+  ComputeRowSpacing(world, 1.0, 1.0, StepUnit::Degrees);
   ASSERT_EQ(world.RowSpacingX.size(), 181u);
   ExpectSane(world);
   EXPECT_NEAR(world.RowSpacingX.front() / EastMetres(89.75, 1.0), 1.0, 1e-4);
@@ -103,7 +103,7 @@ TEST(RowSpacing, RowsNearAndOnThePolesHaveAWidth)
   EXPECT_NEAR(world.RowSpacingY.back() / NorthMetres(90.0, 1.0), 1.0, 1e-4);
 
   Georeference beyond = OnMap(Geographic, 0.0, 89.0, 0.1, 0.1, 11, 21);
-  EXPECT_THROW(ComputeRowSpacing(beyond, 0.1, 0.1, true), std::invalid_argument);
+  EXPECT_THROW(ComputeRowSpacing(beyond, 0.1, 0.1, StepUnit::Degrees), std::invalid_argument);
 }
 
 TEST(RowSpacing, MoonIsASphere)
@@ -112,7 +112,7 @@ TEST(RowSpacing, MoonIsASphere)
   place.EquatorialRadius = 1737400.0;
   place.Flattening = 0.0;
   place.Earth = false;
-  ComputeRowSpacing(place, 0.1, 0.1, true);
+  ComputeRowSpacing(place, 0.1, 0.1, StepUnit::Degrees);
   ASSERT_EQ(place.RowSpacingX.size(), 601u);
   const double degree = 1737400.0 * RadiansPerDegree;
   EXPECT_NEAR(place.RowSpacingX[600] / (0.1 * degree), 1.0, 1e-6);
@@ -123,13 +123,13 @@ TEST(RowSpacing, MoonIsASphere)
 TEST(RowSpacing, TrueMapsAreTakenAtTheirWord)
 {
   Georeference utm = OnMap(Utm(9.0), -3e5, 4e6, 600.0, 1000.0, 1001, 1001);
-  PostSpacing centre = ComputeRowSpacing(utm, 600.0, 1000.0, false);
+  PostSpacing centre = ComputeRowSpacing(utm, 600.0, 1000.0);
   EXPECT_EQ(centre.X, 600.0);
   EXPECT_EQ(centre.Y, 1000.0);
   EXPECT_TRUE(utm.RowSpacingX.empty());
 
   Georeference albers = OnMap(Albers, -2033450.0, 225272.0, 30.0, 30.0, 1100, 1100);
-  centre = ComputeRowSpacing(albers, 30.0, 30.0, false);
+  centre = ComputeRowSpacing(albers, 30.0, 30.0);
   EXPECT_EQ(centre.X, 30.0);
   EXPECT_TRUE(albers.RowSpacingX.empty());
 }
@@ -138,7 +138,7 @@ TEST(RowSpacing, WebMercatorGetsItsTrueScale)
 {
   // Its sphere on the ellipsoid: scale a / (N cos) east, a / (M cos) north.
   Georeference place = OnMap(WebMercator, 1e6, WebMercatorY(47.0), 1000.0, 1000.0, 101, 651);
-  const PostSpacing centre = ComputeRowSpacing(place, 1000.0, 1000.0, false);
+  const PostSpacing centre = ComputeRowSpacing(place, 1000.0, 1000.0);
   ASSERT_EQ(place.RowSpacingX.size(), 651u);
   ExpectSane(place);
   double longitude = 0.0, latitude = 0.0;
@@ -160,16 +160,16 @@ TEST(RowSpacing, TinyAndPlacelessRastersKeepTheirMetres)
 {
   Georeference none;
   none.Columns = none.Rows = 5;
-  EXPECT_EQ(ComputeRowSpacing(none, 3.0, 4.0, false).Y, 4.0);
-  EXPECT_THROW(ComputeRowSpacing(none, 3.0, 4.0, true), std::invalid_argument);
+  EXPECT_EQ(ComputeRowSpacing(none, 3.0, 4.0).Y, 4.0);
+  EXPECT_THROW(ComputeRowSpacing(none, 3.0, 4.0, StepUnit::Degrees), std::invalid_argument);
 
   // Micrometres, where longitudes and geodesics have no digits left.
   Georeference tiny = OnMap(Utm(9.0), 1e5, 5e6, 1e-6, 1e-6, 101, 101);
-  EXPECT_EQ(ComputeRowSpacing(tiny, 1e-6, 1e-6, false).X, 1e-6);
+  EXPECT_EQ(ComputeRowSpacing(tiny, 1e-6, 1e-6).X, 1e-6);
   EXPECT_TRUE(tiny.RowSpacingX.empty());
   // Millimetres over ten metres.
   Georeference fine = OnMap(Utm(9.0), 1e5, 5e6, 1e-3, 1e-3, 10001, 101);
-  EXPECT_EQ(ComputeRowSpacing(fine, 1e-3, 1e-3, false).X, 1e-3);
+  EXPECT_EQ(ComputeRowSpacing(fine, 1e-3, 1e-3).X, 1e-3);
   EXPECT_TRUE(fine.RowSpacingX.empty());
 }
 
@@ -179,8 +179,8 @@ TEST(RowSpacing, RefusesSteps)
   for (const double step : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
          std::numeric_limits<double>::infinity() })
   {
-    EXPECT_THROW(ComputeRowSpacing(place, step, 0.1, true), std::invalid_argument);
-    EXPECT_THROW(ComputeRowSpacing(place, 0.1, step, true), std::invalid_argument);
+    EXPECT_THROW(ComputeRowSpacing(place, step, 0.1, StepUnit::Degrees), std::invalid_argument);
+    EXPECT_THROW(ComputeRowSpacing(place, 0.1, step, StepUnit::Degrees), std::invalid_argument);
   }
 }
 
@@ -190,14 +190,14 @@ TEST(RowSpacing, RefusesStepsAroundTheBodyOrTooSmallToMeasure)
   for (const double step : { 200.0, 360.0, 720.0, 1e-320 })
   {
     Georeference place = OnMap(Geographic, 0.0, 0.0, step, 0.1, 3, 3);
-    EXPECT_THROW(ComputeRowSpacing(place, step, 0.1, true), std::invalid_argument) << step;
+    EXPECT_THROW(ComputeRowSpacing(place, step, 0.1, StepUnit::Degrees), std::invalid_argument) << step;
   }
 }
 
 TEST(RowBands, CoverAllRowsWithinTheTolerance)
 {
   Georeference place = OnMap(Geographic, 5.0, 0.0, 0.05, 0.05, 11, 1201);
-  const PostSpacing centre = ComputeRowSpacing(place, 0.05, 0.05, true);
+  const PostSpacing centre = ComputeRowSpacing(place, 0.05, 0.05, StepUnit::Degrees);
   for (const double tolerance : { RowBandTolerance, 0.05, 0.0 })
   {
     const std::vector<RowBand> bands = RowBands(place, centre, tolerance);

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GroundMetric.h"
+
+#include "Azimuth.h"
+#include "Constants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace skyline
+{
+namespace
+{
+
+/// Nodes along a side of the first and of the finest lattice.
+constexpr std::ptrdiff_t FirstNodes = 9;
+constexpr std::ptrdiff_t LastNodes = 257;
+
+/// A raster whose longer side is shorter than this (metres) keeps its spacing: longitudes have no digits
+/// left for its posts, and no map is distorted over it.
+constexpr double ShortestSide = 1.0;
+
+/// Columns closer than this part of the rows' distance are about to meet in a point.
+constexpr double Collapsed = 0.05;
+
+/// Part of a row by which a row is moved away from a point where all columns meet (a pole): the mean
+/// over the half row that its posts stand for.
+constexpr double RowShift = 0.25;
+
+std::string PostText(double column, double row)
+{
+  return std::to_string(std::lround(column)) + "," + std::to_string(std::lround(row));
+}
+
+[[noreturn]] void RefusePost(double column, double row, const std::string& what)
+{
+  throw std::invalid_argument("post " + PostText(column, row) + " " + what +
+    "; cut the raster to where its map is defined, or warp it to a local map such as UTM (gdalwarp "
+    "-t_srs)");
+}
+
+/// Where rows end in one point (the pole of a grid), X is 0 or rounding.
+PostMetric MetricOfLattice(const Georeference& place, double column, double row)
+{
+  const PostSteps steps = place.StepsAt(column, row);
+  PostMetric metric;
+  metric.Y = std::hypot(steps.EastPerRow, steps.NorthPerRow);
+  metric.X =
+    (steps.EastPerColumn * steps.NorthPerRow - steps.EastPerRow * steps.NorthPerColumn) / metric.Y;
+  metric.Shear =
+    (steps.EastPerColumn * steps.EastPerRow + steps.NorthPerColumn * steps.NorthPerRow) / metric.Y;
+  constexpr double nothing = 1e-6; // of a step: a point, not a length
+  if (!(metric.Y > 0.0) || !(metric.X > -nothing * metric.Y) || !std::isfinite(metric.X) ||
+    !std::isfinite(metric.Shear))
+  {
+    RefusePost(column, row, "has steps of " + std::to_string(metric.X) + " x " +
+        std::to_string(metric.Y) + " m on the ground, from which no distances follow");
+  }
+  metric.X = std::max(metric.X, 0.0);
+  return metric;
+}
+
+PostMetric Mix(const PostMetric& a, const PostMetric& b, double fraction)
+{
+  return { a.X + fraction * (b.X - a.X), a.Shear + fraction * (b.Shear - a.Shear),
+    a.Y + fraction * (b.Y - a.Y) };
+}
+
+bool Within(const MetricError& error, double distance, double radians)
+{
+  return error.Distance <= distance && error.Azimuth <= radians;
+}
+
+/// Where a post lies between two of `nodes` nodes spread over `posts` posts.
+void Split(double post, std::ptrdiff_t posts, std::ptrdiff_t nodes, std::ptrdiff_t& node,
+  double& fraction)
+{
+  if (nodes < 2)
+  {
+    node = 0;
+    fraction = 0.0;
+    return;
+  }
+  const double scale = static_cast<double>(nodes - 1) / static_cast<double>(posts - 1);
+  const double place = std::clamp(post * scale, 0.0, static_cast<double>(nodes - 1));
+  node = std::min(static_cast<std::ptrdiff_t>(place), nodes - 2);
+  fraction = place - static_cast<double>(node);
+}
+
+} // namespace
+
+MetricError ErrorOf(const PostMetric& used, const PostMetric& truth)
+{
+  // The map from where a ray is taken to be to where it is, (p 0; r s), is the sum of a turn with scale
+  // and of a mirrored one: z -> A z + B conj(z). A direction turns by arg A and by at most
+  // asin(|B| / |A|) to either side; a length becomes |A| - |B| to |A| + |B| as long.
+  const double p = truth.X / used.X;
+  const double s = truth.Y / used.Y;
+  const double r = (truth.Shear - used.Shear * s) / used.X;
+  const double turn = 0.5 * std::hypot(p + s, r);
+  const double fold = 0.5 * std::hypot(p - s, r);
+  MetricError error;
+  error.Azimuth = std::abs(std::atan2(r, p + s)) + std::asin(std::min(1.0, fold / turn));
+  error.Distance = std::max(std::abs(turn + fold - 1.0), std::abs(turn - fold - 1.0));
+  return error;
+}
+
+double LengthOf(const PostMetric& metric, double columns, double rows)
+{
+  return std::hypot(metric.X * columns, metric.Shear * columns + metric.Y * rows);
+}
+
+GroundMetric::GroundMetric(const Georeference& place, const PostSpacing& image)
+  : ColumnCount(std::max<std::ptrdiff_t>(place.Columns, 2))
+  , RowCount(std::max<std::ptrdiff_t>(place.Rows, 2))
+  , ImageX(image.X)
+  , ImageY(image.Y)
+{
+  const PostMetric plain{ image.X, 0.0, image.Y };
+  const auto rows = static_cast<std::size_t>(std::max<std::ptrdiff_t>(place.Rows, 0));
+  if (!place.RowSpacingX.empty() &&
+    (place.RowSpacingX.size() != rows || place.RowSpacingY.size() != rows))
+  {
+    throw std::invalid_argument("there are " + std::to_string(place.RowSpacingX.size()) +
+      " row spacings for " + std::to_string(place.Rows) + " rows; give one a row");
+  }
+  if (rows >= 2 && !place.RowSpacingX.empty())
+  {
+    this->HasRows = this->TrueImage = true;
+    this->Across = 1;
+    this->Along = place.Rows;
+    for (std::size_t row = 0; row < rows; ++row)
+    {
+      this->Nodes.push_back({ place.RowSpacingX[row], 0.0, place.RowSpacingY[row] });
+    }
+    return;
+  }
+  const double side = std::max(image.X * static_cast<double>(place.Columns),
+    image.Y * static_cast<double>(place.Rows));
+  if (place.OnBody() && side >= ShortestSide)
+  {
+    this->TrueImage = place.InDegrees || !place.HasGeoTransform || place.FollowsGraticule();
+    if (!this->TrueImage)
+    {
+      this->ImageX = std::abs(place.GeoTransform[1]);
+      this->ImageY = std::abs(place.GeoTransform[5]);
+    }
+    std::ptrdiff_t nodes = FirstNodes;
+    while (!this->Sample(place, nodes))
+    {
+      nodes = 2 * nodes - 1;
+    }
+    // Azimuths on the image must count as the image's spacing does, too.
+    const PostMetric plane{ this->ImageX, 0.0, this->ImageY };
+    const double radians = AzimuthTolerance * RadiansPerDegree;
+    if (!Within(this->WorstError(plain), DistanceTolerance, radians) ||
+      (!this->TrueImage && ErrorOf(plane, plain).Azimuth > radians))
+    {
+      return;
+    }
+  }
+  this->Across = this->Along = 1;
+  this->Nodes.assign(1, plain);
+}
+
+bool GroundMetric::Sample(const Georeference& place, std::ptrdiff_t side)
+{
+  GroundMetric finer = *this;
+  finer.Across = finer.Along = side;
+  finer.Nodes.clear();
+  finer.Nodes.reserve(static_cast<std::size_t>(side * side));
+  const auto last = static_cast<double>(side - 1);
+  double worst = 0.0, worstColumn = 0.0, worstRow = 0.0;
+  for (std::ptrdiff_t j = 0; j < side; ++j)
+  {
+    const double row = static_cast<double>(j) * static_cast<double>(this->RowCount - 1) / last;
+    for (std::ptrdiff_t i = 0; i < side; ++i)
+    {
+      const double column =
+        static_cast<double>(i) * static_cast<double>(this->ColumnCount - 1) / last;
+      const PostMetric node = MetricOfLattice(place, column, row);
+      finer.Collapses = finer.Collapses || node.X < Collapsed * node.Y;
+      finer.Nodes.push_back(node);
+      if (this->Nodes.empty() || node.X < Collapsed * node.Y)
+      {
+        continue;
+      }
+      const MetricError error = ErrorOf(this->At(column, row), node);
+      if (std::max(error.Distance, error.Azimuth) > worst)
+      {
+        worst = std::max(error.Distance, error.Azimuth);
+        worstColumn = column;
+        worstRow = row;
+      }
+    }
+  }
+  // What the coarser nodes predict within four times the tolerance, these interpolate within it.
+  const bool good = !this->Nodes.empty() && worst <= 4.0 * NodeTolerance;
+  if (side >= LastNodes && worst > 4.0 * DistanceTolerance)
+  {
+    RefusePost(worstColumn, worstRow,
+      "lies where the map's lengths change by " + std::to_string(100.0 * worst) +
+        " % over a few posts, more than the 0.1 % that distances may err");
+  }
+  *this = finer;
+  return good || side >= LastNodes;
+}
+
+PostMetric GroundMetric::Interpolate(double column, double row) const
+{
+  std::ptrdiff_t i = 0, j = 0;
+  double across = 0.0, along = 0.0;
+  Split(column, this->ColumnCount, this->Across, i, across);
+  Split(row, this->RowCount, this->Along, j, along);
+  const std::ptrdiff_t east = this->Across > 1 ? i + 1 : i;
+  const std::ptrdiff_t north = this->Along > 1 ? j + 1 : j;
+  return Mix(Mix(this->Node(i, j), this->Node(east, j), across),
+    Mix(this->Node(i, north), this->Node(east, north), across), along);
+}
+
+PostMetric GroundMetric::At(double column, double row) const
+{
+  const PostMetric metric = this->Interpolate(column, row);
+  if (this->Collapses)
+  {
+    const bool south = row < 0.5 * static_cast<double>(this->RowCount - 1);
+    const PostMetric inward = this->Interpolate(column, south ? row + RowShift : row - RowShift);
+    if (metric.X < 0.5 * inward.X)
+    {
+      return inward;
+    }
+  }
+  return metric;
+}
+
+PostMetric GroundMetric::Centre() const
+{
+  return this->At(0.5 * static_cast<double>(this->ColumnCount - 1),
+    0.5 * static_cast<double>(this->RowCount - 1));
+}
+
+MetricError GroundMetric::WorstError(const PostMetric& used) const
+{
+  MetricError worst;
+  for (const PostMetric& node : this->Nodes)
+  {
+    const MetricError error = ErrorOf(used, node);
+    worst.Azimuth = std::max(worst.Azimuth, error.Azimuth);
+    worst.Distance = std::max(worst.Distance, error.Distance);
+  }
+  return worst;
+}
+
+double GroundMetric::GroundAzimuth(const PostMetric& metric, double imageAzimuth) const
+{
+  if (this->Uniform() || (this->TrueImage && metric.Shear == 0.0))
+  {
+    return imageAzimuth;
+  }
+  const double angle = std::remainder(imageAzimuth, 360.0) * RadiansPerDegree;
+  const double stepX = this->TrueImage ? std::hypot(metric.X, metric.Shear) : this->ImageX;
+  const double stepY = this->TrueImage ? metric.Y : this->ImageY;
+  const double columns = std::sin(angle) / stepX, rows = std::cos(angle) / stepY;
+  return AzimuthOf(metric.X * columns, metric.Shear * columns + metric.Y * rows);
+}
+
+void GroundMetric::Lengths(std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count,
+  double columns, double rows, float* metres) const
+{
+  const auto line = static_cast<double>(row);
+  const auto at = [&](double post) { return LengthOf(this->At(post, line), columns, rows); };
+  if (this->Across < 2)
+  {
+    std::fill_n(metres, count, static_cast<float>(at(0.0)));
+    return;
+  }
+  // Linear between nodes, as the metric is.
+  const double cell = static_cast<double>(this->ColumnCount - 1) / static_cast<double>(this->Across - 1);
+  for (std::ptrdiff_t i = 0; i < count;)
+  {
+    std::ptrdiff_t node = 0;
+    double fraction = 0.0;
+    Split(static_cast<double>(column + i), this->ColumnCount, this->Across, node, fraction);
+    const double west = static_cast<double>(node) * cell;
+    const double from = at(west), step = (at(west + cell) - from) / cell;
+    const bool last = node + 2 >= this->Across;
+    do
+    {
+      metres[i] = static_cast<float>(from + step * (static_cast<double>(column + i) - west));
+      ++i;
+    } while (i < count && (last || static_cast<double>(column + i) < west + cell));
+  }
+}
+
+void GroundMetric::TurnGradients(
+  std::ptrdiff_t row, const PostSpacing& image, std::ptrdiff_t count, float* x, float* y) const
+{
+  if (this->Uniform())
+  {
+    return;
+  }
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+  {
+    const PostMetric metric = this->At(static_cast<double>(i), static_cast<double>(row));
+    const double perColumn = x[i] * image.X, perRow = y[i] * image.Y;
+    const double north = perRow / metric.Y;
+    x[i] = static_cast<float>((perColumn - north * metric.Shear) / metric.X);
+    y[i] = static_cast<float>(north);
+  }
+}
+
+} // namespace skyline
