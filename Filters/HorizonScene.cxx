@@ -234,27 +234,13 @@ bool HorizonScene::Run(const std::vector<double>& azimuths, double width, Accumu
     }
     return this->Run(*method, azimuths, width, consumer, axes);
   }
-  return this->RunPatches(*method, azimuths, width, consumer, axes);
+  return this->RunFans(*method, azimuths, width, consumer, axes);
 }
 
 bool HorizonScene::FollowsGround() const
 {
   return this->Settings.Method == HorizonMethodKind::Exact ||
     this->Settings.Method == HorizonMethodKind::Fast;
-}
-
-const GroundPatches& HorizonScene::PatchesOf(AzimuthAxes axes)
-{
-  const bool parallel = axes == AzimuthAxes::Image && this->Metric.ImageRaysAreParallel();
-  std::unique_ptr<GroundPatches>& patches = parallel ? this->ImagePatches : this->Patches;
-  if (!patches)
-  {
-    const double infinite = std::numeric_limits<double>::infinity();
-    patches = std::make_unique<GroundPatches>(DivideGround(this->Metric,
-      parallel ? infinite : PatchAzimuthTolerance * RadiansPerDegree,
-      this->Settings.Sink > 0.0 ? PatchScaleTolerance : infinite));
-  }
-  return *patches;
 }
 
 void HorizonScene::Prepare(
@@ -270,40 +256,64 @@ void HorizonScene::Prepare(
     [&](vtkIdType begin, vtkIdType end) { method.Prepare(begin, end); });
 }
 
-bool HorizonScene::RunPatches(HorizonMethod& method, const std::vector<double>& azimuths,
-  double width, Accumulator& consumer, AzimuthAxes axes)
+bool HorizonScene::RunFans(HorizonMethod& method, const std::vector<double>& azimuths, double width,
+  Accumulator& consumer, AzimuthAxes axes)
 {
   Grid grid = this->Field.Posts();
-  const GroundPatches& patches = this->PatchesOf(axes);
-  PatchBlend blend(this->Metric, patches);
-  const double total = static_cast<double>(azimuths.size() * patches.Count());
-  double done = 0.0;
-  for (const double azimuth : azimuths)
+  const PostRegion whole{ 0, grid.Rows, 0, grid.Columns };
+  std::unique_ptr<FanBlend> blend;
+  for (std::size_t number = 0; number < azimuths.size(); ++number)
   {
-    consumer.Begin(azimuth * RadiansPerDegree, width);
-    blend.Begin();
-    for (const PatchSide& rows : patches.Rows)
+    consumer.Begin(azimuths[number] * RadiansPerDegree, width);
+    const RayFan fan(
+      this->Metric, azimuths[number], axes == AzimuthAxes::Image, this->Settings.Sink > 0.0);
+    if (!fan.IsOne())
     {
-      for (const PatchSide& columns : patches.Columns)
+      blend = blend ? std::move(blend) : std::make_unique<FanBlend>(this->Metric);
+      blend->Begin(fan);
+    }
+    for (std::size_t i = 0; i < fan.Directions.size(); ++i)
+    {
+      for (std::size_t j = 0; j < fan.Lengths.size(); ++j)
       {
-        if (this->Progress && !this->Progress(done++ / total))
+        const double part = static_cast<double>(i * fan.Lengths.size() + j) /
+          static_cast<double>(fan.Directions.size() * fan.Lengths.size());
+        if (this->Progress &&
+          !this->Progress(
+            (static_cast<double>(number) + part) / static_cast<double>(azimuths.size())))
         {
           return false;
         }
+        PostRegion posts = whole;
+        if (!fan.IsOne() && !blend->Asks(i, j, posts))
+        {
+          continue;
+        }
         const double start = Now();
-        const PostMetric metric = this->Metric.At(columns.Middle, rows.Middle);
-        SetMetric(grid, metric);
-        const double ground =
-          axes == AzimuthAxes::Image ? this->Metric.GroundAzimuth(metric, azimuth) : azimuth;
-        this->Prepare(
-          method, grid, ground, { rows.Begin, rows.End, columns.Begin, columns.End });
+        SetMetric(grid, fan.MetricOf(j));
+        this->Prepare(method, grid, fan.Directions[i], posts);
         const double prepared = Now();
-        blend.Add(method, columns, rows, consumer);
+        if (fan.IsOne())
+        {
+          FindSlopes(method, whole,
+            [&](std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count, float* slopes)
+            {
+              FanBlend::Lengthen(this->Metric, method.Frame(), row, column, count, slopes);
+              consumer.Add(row, column, count, slopes);
+            });
+        }
+        else
+        {
+          blend->Add(method);
+        }
         this->PrepareSeconds += prepared - start;
         this->SearchSeconds += Now() - prepared;
       }
     }
-    blend.End(consumer);
+    if (!fan.IsOne())
+    {
+      blend->End(consumer);
+    }
   }
   vtkSMPTools::For(
     0, grid.Rows, [&](vtkIdType begin, vtkIdType end) { consumer.Finish(begin, end); });
@@ -446,8 +456,8 @@ bool HorizonScene::TakesColumns(const std::vector<double>& azimuths) const
 void HorizonScene::DemandFloats(
   const char* what, std::ptrdiff_t floats, const std::vector<double>& azimuths) const
 {
-  // Two more for the blending of patches.
-  const std::ptrdiff_t blend = this->Metric.Uniform() || !this->FollowsGround() ? 0 : 2;
+  const std::ptrdiff_t blend =
+    this->Metric.Uniform() || !this->FollowsGround() ? 0 : FanBlend::Floats;
   double all = static_cast<double>(floats + blend + (this->TakesColumns(azimuths) ? 1 : 0));
   if (this->Settings.Method == HorizonMethodKind::Pyramid && !(this->Kept && this->Kept->Pyramid))
   {

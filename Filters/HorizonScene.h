@@ -7,7 +7,6 @@
 #include "Doubt.h"
 #include "Georeference.h"
 #include "GroundMetric.h"
-#include "GroundPatches.h"
 #include "HeightField.h"
 #include "HorizonMethod.h"
 #include "RowSpacing.h"
@@ -117,9 +116,8 @@ private:
   std::shared_ptr<const HeightPyramid> PyramidOfHeights();
   bool TakesColumns(const std::vector<double>& azimuths) const;
   bool FollowsGround() const;
-  const GroundPatches& PatchesOf(AzimuthAxes axes);
   void Prepare(HorizonMethod& method, const Grid& grid, double azimuth, const PostRegion& region);
-  bool RunPatches(HorizonMethod& method, const std::vector<double>& azimuths, double width,
+  bool RunFans(HorizonMethod& method, const std::vector<double>& azimuths, double width,
     Accumulator& consumer, AzimuthAxes axes);
 
   vtkDataArray* Heights;
@@ -128,7 +126,6 @@ private:
   HeightField Field;
   HorizonSettings Settings;
   std::vector<RowBand> Bands;
-  std::unique_ptr<GroundPatches> Patches, ImagePatches; // once asked for
   double Mean = 0.0;
   KeptPyramid* Kept = nullptr;
   std::uint64_t Heights64 = 0; // once asked for

@@ -8,6 +8,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace skyline
 {
@@ -34,91 +35,127 @@ void FrameLines(
   to = frame.Reversed ? frame.Lines - begin : end;
 }
 
-void FindRows(const HorizonMethod& method, const PostRegion& region, const SlopeTaker& take)
+// Columns and rows that one thread takes where lines are columns: consumers take runs along rows, and
+// tiles keep these long: every run lies in other pages of memory than the one before. Their slopes stay
+// in the cache.
+constexpr std::ptrdiff_t TileLines = 4 * ChunkLines;
+constexpr std::ptrdiff_t TileRows = 256;
+
+// Rows of up to ChunkLines, where lines are rows.
+void FindChunk(const HorizonMethod& method, const PostRegion& chunk, std::vector<float>& slopes,
+  const SlopeTaker& take)
 {
   const RayFrame& frame = method.Frame();
-  std::ptrdiff_t begin = 0, end = 0;
-  FrameLines(frame, region.RowBegin, region.RowEnd, begin, end);
-  const std::ptrdiff_t count = region.ColumnEnd - region.ColumnBegin;
+  std::ptrdiff_t from = 0, to = 0;
+  FrameLines(frame, chunk.RowBegin, chunk.RowEnd, from, to);
+  const std::ptrdiff_t count = chunk.ColumnEnd - chunk.ColumnBegin;
   const std::ptrdiff_t stride = SlopeStride(count);
-  vtkSMPThreadLocal<std::vector<float>> buffers;
-  vtkSMPTools::For(0, (end - begin + ChunkLines - 1) / ChunkLines, 1,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      std::vector<float>& slopes = buffers.Local();
-      slopes.resize(static_cast<std::size_t>(ChunkLines * stride));
-      for (std::ptrdiff_t chunk = first; chunk < last; ++chunk)
-      {
-        const std::ptrdiff_t from = begin + chunk * ChunkLines;
-        const std::ptrdiff_t to = std::min(from + ChunkLines, end);
-        method.Find(from, to, region.ColumnBegin, region.ColumnEnd, slopes.data(), stride);
-        for (std::ptrdiff_t line = from; line < to; ++line)
-        {
-          take(frame.ImageLine(line), region.ColumnBegin, count,
-            slopes.data() + (line - from) * stride);
-        }
-      }
-    });
+  slopes.resize(static_cast<std::size_t>(ChunkLines * stride));
+  method.Find(from, to, chunk.ColumnBegin, chunk.ColumnEnd, slopes.data(), stride);
+  for (std::ptrdiff_t line = from; line < to; ++line)
+  {
+    take(
+      frame.ImageLine(line), chunk.ColumnBegin, count, slopes.data() + (line - from) * stride);
+  }
 }
 
-void FindColumns(const HorizonMethod& method, const PostRegion& region, const SlopeTaker& take)
+// Up to TileLines columns and TileRows rows, where lines are columns.
+void FindTile(const HorizonMethod& method, const PostRegion& tile, std::vector<float>& slopes,
+  const SlopeTaker& take)
 {
-  // Lines are columns here, and consumers take runs along rows. Tiles keep these long: every run
-  // lies in other pages of memory than the one before. Their slopes stay in the cache.
-  constexpr std::ptrdiff_t TileLines = 4 * ChunkLines;
-  constexpr std::ptrdiff_t TileRows = 256;
   const RayFrame& frame = method.Frame();
-  std::ptrdiff_t begin = 0, lines = 0;
-  FrameLines(frame, region.ColumnBegin, region.ColumnEnd, begin, lines);
-  lines -= begin;
-  const std::ptrdiff_t across = (lines + TileLines - 1) / TileLines;
-  const std::ptrdiff_t along = (region.RowEnd - region.RowBegin + TileRows - 1) / TileRows;
+  std::ptrdiff_t from = 0, to = 0;
+  FrameLines(frame, tile.ColumnBegin, tile.ColumnEnd, from, to);
+  const std::ptrdiff_t count = to - from;
   const std::ptrdiff_t stride = SlopeStride(TileRows);
+  slopes.resize(static_cast<std::size_t>(TileLines * stride));
+  float run[TileLines];
+  for (std::ptrdiff_t line = 0; line < count; line += ChunkLines)
+  {
+    const std::ptrdiff_t end = std::min(line + ChunkLines, count);
+    method.Find(
+      from + line, from + end, tile.RowBegin, tile.RowEnd, slopes.data() + line * stride, stride);
+  }
+  const std::ptrdiff_t next = frame.Reversed ? -stride : stride;
+  for (std::ptrdiff_t row = tile.RowBegin; row < tile.RowEnd; ++row)
+  {
+    const float* slope =
+      slopes.data() + (frame.Reversed ? (count - 1) * stride : 0) + (row - tile.RowBegin);
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+    {
+      run[i] = slope[i * next];
+    }
+    take(row, tile.ColumnBegin, count, run);
+  }
+}
+
+// A part that one thread finds: rows of up to ChunkLines and columns of up to TileLines fit either way.
+void FindPart(const HorizonMethod& method, const PostRegion& part, std::vector<float>& slopes,
+  const SlopeTaker& take)
+{
+  (method.Frame().Columns ? FindTile : FindChunk)(method, part, slopes, take);
+}
+
+// Parts of a region, as the frame's lines run, so that results do not depend on the direction of rays.
+std::vector<PostRegion> PartsOf(const RayFrame& frame, const PostRegion& region)
+{
+  std::vector<PostRegion> parts;
+  std::ptrdiff_t begin = 0, end = 0;
+  if (!frame.Columns)
+  {
+    FrameLines(frame, region.RowBegin, region.RowEnd, begin, end);
+    for (std::ptrdiff_t from = begin; from < end; from += ChunkLines)
+    {
+      const std::ptrdiff_t to = std::min(from + ChunkLines, end);
+      parts.push_back({ std::min(frame.ImageLine(from), frame.ImageLine(to - 1)),
+        std::max(frame.ImageLine(from), frame.ImageLine(to - 1)) + 1, region.ColumnBegin,
+        region.ColumnEnd });
+    }
+    return parts;
+  }
+  FrameLines(frame, region.ColumnBegin, region.ColumnEnd, begin, end);
+  for (std::ptrdiff_t from = begin; from < end; from += TileLines)
+  {
+    const std::ptrdiff_t to = std::min(from + TileLines, end);
+    for (std::ptrdiff_t row = region.RowBegin; row < region.RowEnd; row += TileRows)
+    {
+      parts.push_back({ row, std::min(row + TileRows, region.RowEnd),
+        std::min(frame.ImageLine(from), frame.ImageLine(to - 1)),
+        std::max(frame.ImageLine(from), frame.ImageLine(to - 1)) + 1 });
+    }
+  }
+  return parts;
+}
+
+void FindParts(
+  const HorizonMethod& method, const std::vector<PostRegion>& parts, const SlopeTaker& take)
+{
   vtkSMPThreadLocal<std::vector<float>> buffers;
-  vtkSMPTools::For(0, across * along, 1,
+  vtkSMPTools::For(0, static_cast<vtkIdType>(parts.size()), 1,
     [&](vtkIdType first, vtkIdType last)
     {
-      std::vector<float>& slopes = buffers.Local();
-      slopes.resize(static_cast<std::size_t>(TileLines * stride));
-      float run[TileLines];
-      for (std::ptrdiff_t tile = first; tile < last; ++tile)
+      for (vtkIdType part = first; part < last; ++part)
       {
-        const std::ptrdiff_t from = begin + tile / along * TileLines;
-        const std::ptrdiff_t count = std::min(TileLines, begin + lines - from);
-        const std::ptrdiff_t rowBegin = region.RowBegin + tile % along * TileRows;
-        const std::ptrdiff_t rowEnd = std::min(rowBegin + TileRows, region.RowEnd);
-        for (std::ptrdiff_t line = 0; line < count; line += ChunkLines)
-        {
-          const std::ptrdiff_t end = std::min(line + ChunkLines, count);
-          method.Find(
-            from + line, from + end, rowBegin, rowEnd, slopes.data() + line * stride, stride);
-        }
-        const std::ptrdiff_t column = frame.Reversed ? frame.ImageLine(from + count - 1) : from;
-        const std::ptrdiff_t next = frame.Reversed ? -stride : stride;
-        for (std::ptrdiff_t row = rowBegin; row < rowEnd; ++row)
-        {
-          const float* slope =
-            slopes.data() + (frame.Reversed ? (count - 1) * stride : 0) + (row - rowBegin);
-          for (std::ptrdiff_t i = 0; i < count; ++i)
-          {
-            run[i] = slope[i * next];
-          }
-          take(row, column, count, run);
-        }
+        FindPart(method, parts[static_cast<std::size_t>(part)], buffers.Local(), take);
       }
     });
 }
 
-float WeightAt(const PatchSide& side, std::ptrdiff_t post)
+// Tiles are halved until they use this many rays each way, or are this small.
+constexpr std::size_t RaysPerTile = 4;
+constexpr std::ptrdiff_t SmallestRows = 16, SmallestColumns = 32;
+
+// Nearness of a place to a ray: 1 on it, 0 at its neighbours.
+float Nearness(float place, std::size_t ray)
 {
-  return side.Weights.empty() ? 1.0f : side.Weights[static_cast<std::size_t>(post - side.Begin)];
+  return std::max(0.0f, 1.0f - std::abs(place - static_cast<float>(ray)));
 }
 
 } // namespace
 
 void FindSlopes(const HorizonMethod& method, const PostRegion& region, const SlopeTaker& take)
 {
-  (method.Frame().Columns ? FindColumns : FindRows)(method, region, take);
+  FindParts(method, PartsOf(method.Frame(), region), take);
 }
 
 void AskFor(HorizonMethod& method, const PostRegion& region)
@@ -137,110 +174,171 @@ void AskFor(HorizonMethod& method, const PostRegion& region)
   }
 }
 
-PatchBlend::PatchBlend(const GroundMetric& metric, const GroundPatches& patches)
+FanBlend::FanBlend(const GroundMetric& metric)
   : Metric(metric)
-  , Patches(patches)
-  , Columns(metric.Columns())
-  , Rows(metric.Rows())
-  , SharedRows(static_cast<std::size_t>(metric.Rows()), patches.Columns.size() > 1)
+  , Sums(new float[static_cast<std::size_t>(metric.Columns() * metric.Rows())])
+  , Known(new float[static_cast<std::size_t>(metric.Columns() * metric.Rows())])
 {
-  for (const PatchSide& side : patches.Rows)
-  {
-    for (std::ptrdiff_t row = side.Begin; row < side.End; ++row)
+}
+
+void FanBlend::Begin(const RayFan& fan)
+{
+  this->Fan = &fan;
+  const std::ptrdiff_t columns = this->Metric.Columns();
+  vtkSMPTools::For(0, this->Metric.Rows(),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      if (WeightAt(side, row) < 1.0f)
+      std::fill(this->Sums.get() + begin * columns, this->Sums.get() + end * columns, 0.0f);
+      std::fill(this->Known.get() + begin * columns, this->Known.get() + end * columns, 0.0f);
+    });
+  this->Tiles.clear();
+  for (std::ptrdiff_t row = 0; row < this->Metric.Rows(); row += ChunkLines)
+  {
+    for (std::ptrdiff_t column = 0; column < columns; column += TileLines)
+    {
+      this->Divide({ row, std::min(row + ChunkLines, this->Metric.Rows()), column,
+        std::min(column + TileLines, columns) });
+    }
+  }
+}
+
+void FanBlend::Divide(const PostRegion& posts)
+{
+  // The places of the edges and of a row in the middle hold those of all posts, but for a little.
+  float least[2] = { 1e9f, 1e9f }, greatest[2] = { -1e9f, -1e9f };
+  const std::ptrdiff_t count = posts.ColumnEnd - posts.ColumnBegin;
+  std::vector<float> places(static_cast<std::size_t>(2 * count));
+  for (const std::ptrdiff_t row :
+    { posts.RowBegin, (posts.RowBegin + posts.RowEnd) / 2, posts.RowEnd - 1 })
+  {
+    this->Fan->Places(row, posts.ColumnBegin, count, places.data(), places.data() + count);
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+    {
+      for (std::ptrdiff_t k = 0; k < 2; ++k)
       {
-        this->SharedRows[static_cast<std::size_t>(row)] = true;
+        const float place = places[static_cast<std::size_t>(k * count + i)];
+        least[k] = std::min(least[k], place);
+        greatest[k] = std::max(greatest[k], place);
       }
     }
   }
-  if (patches.Count() > 1)
+  const auto ray = [](float place, std::size_t rays, float slack)
   {
-    const auto posts = static_cast<std::size_t>(this->Columns * this->Rows);
-    this->Sums.reset(new float[posts]);
-    this->Known.reset(new float[posts]);
+    const float last = static_cast<float>(rays - 1);
+    return static_cast<std::size_t>(std::clamp(place + slack, 0.0f, last));
+  };
+  constexpr float slack = 0.05f;
+  const std::size_t directions = this->Fan->Directions.size(), lengths = this->Fan->Lengths.size();
+  const FanTile tile{ posts, ray(least[0], directions, -slack),
+    ray(std::ceil(greatest[0] + slack), directions, 0.0f), ray(least[1], lengths, -slack),
+    ray(std::ceil(greatest[1] + slack), lengths, 0.0f) };
+  const std::ptrdiff_t rows = posts.RowEnd - posts.RowBegin;
+  const std::size_t used = std::max(
+    tile.LastDirection - tile.FirstDirection, tile.LastLength - tile.FirstLength);
+  const bool tall = rows > SmallestRows, wide = count > SmallestColumns;
+  if (used <= RaysPerTile || (!tall && !wide))
+  {
+    this->Tiles.push_back(tile);
+  }
+  else if (tall && (!wide || rows * SmallestColumns >= count * SmallestRows))
+  {
+    const std::ptrdiff_t middle = posts.RowBegin + rows / 2;
+    this->Divide({ posts.RowBegin, middle, posts.ColumnBegin, posts.ColumnEnd });
+    this->Divide({ middle, posts.RowEnd, posts.ColumnBegin, posts.ColumnEnd });
+  }
+  else
+  {
+    const std::ptrdiff_t middle = posts.ColumnBegin + count / 2;
+    this->Divide({ posts.RowBegin, posts.RowEnd, posts.ColumnBegin, middle });
+    this->Divide({ posts.RowBegin, posts.RowEnd, middle, posts.ColumnEnd });
   }
 }
 
-bool PatchBlend::Shared(std::ptrdiff_t row) const
+bool FanBlend::Asks(std::size_t direction, std::size_t length, PostRegion& posts)
 {
-  return this->SharedRows[static_cast<std::size_t>(row)];
-}
-
-void PatchBlend::Begin()
-{
-  vtkSMPTools::For(0, this->Rows,
-    [&](vtkIdType begin, vtkIdType end)
+  this->Direction = direction;
+  this->Length = length;
+  this->Asked.clear();
+  for (const FanTile& tile : this->Tiles)
+  {
+    if (tile.FirstDirection <= direction && direction <= tile.LastDirection &&
+      tile.FirstLength <= length && length <= tile.LastLength)
     {
-      for (vtkIdType row = begin; row < end; ++row)
-      {
-        if (this->Shared(row))
-        {
-          std::fill_n(this->Sums.get() + row * this->Columns, this->Columns, 0.0f);
-          std::fill_n(this->Known.get() + row * this->Columns, this->Columns, 0.0f);
-        }
-      }
-    });
+      const PostRegion& part = tile.Posts;
+      posts = this->Asked.empty()
+        ? part
+        : PostRegion{ std::min(posts.RowBegin, part.RowBegin), std::max(posts.RowEnd, part.RowEnd),
+            std::min(posts.ColumnBegin, part.ColumnBegin),
+            std::max(posts.ColumnEnd, part.ColumnEnd) };
+      this->Asked.push_back(part);
+    }
+  }
+  return !this->Asked.empty();
 }
 
-void PatchBlend::Add(const HorizonMethod& method, const PatchSide& columns, const PatchSide& rows,
-  Accumulator& consumer)
+void FanBlend::Lengthen(const GroundMetric& metric, const RayFrame& frame, std::ptrdiff_t row,
+  std::ptrdiff_t column, std::ptrdiff_t count, float* slopes)
 {
-  const RayFrame& frame = method.Frame();
   const double along = frame.Reversed ? -1.0 : 1.0;
   const double across = frame.Drift * frame.Slant;
-  const double perColumn = frame.Columns ? along : across;
-  const double perRow = frame.Columns ? across : along;
+  constexpr std::ptrdiff_t piece = 256;
+  float lengths[piece];
+  for (std::ptrdiff_t begin = 0; begin < count; begin += piece)
+  {
+    const std::ptrdiff_t here = std::min(piece, count - begin);
+    metric.Lengths(row, column + begin, here, frame.Columns ? along : across,
+      frame.Columns ? across : along, lengths);
+    for (std::ptrdiff_t i = 0; i < here; ++i)
+    {
+      float& slope = slopes[begin + i];
+      slope = slope > NoTerrainSlope ? slope * (static_cast<float>(frame.StepLength) / lengths[i])
+                                     : NoTerrainSlope;
+    }
+  }
+}
+
+void FanBlend::Add(const HorizonMethod& method)
+{
+  const std::ptrdiff_t columns = this->Metric.Columns();
   vtkSMPThreadLocal<std::vector<float>> buffers;
-  FindSlopes(method, { rows.Begin, rows.End, columns.Begin, columns.End },
+  FindParts(method, this->Asked,
     [&](std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count, float* slopes)
     {
-      std::vector<float>& lengths = buffers.Local();
-      lengths.resize(static_cast<std::size_t>(count));
-      this->Metric.Lengths(row, column, count, perColumn, perRow, lengths.data());
+      Lengthen(this->Metric, method.Frame(), row, column, count, slopes);
+      std::vector<float>& places = buffers.Local();
+      places.resize(static_cast<std::size_t>(2 * count));
+      float* directions = places.data();
+      float* lengths = directions + count;
+      this->Fan->Places(row, column, count, directions, lengths);
+      float* sum = this->Sums.get() + row * columns + column;
+      float* known = this->Known.get() + row * columns + column;
       for (std::ptrdiff_t i = 0; i < count; ++i)
       {
-        const float scale =
-          static_cast<float>(frame.StepLength) / lengths[static_cast<std::size_t>(i)];
-        slopes[i] = slopes[i] > NoTerrainSlope ? slopes[i] * scale : NoTerrainSlope;
-      }
-      if (!this->Shared(row))
-      {
-        consumer.Add(row, column, count, slopes);
-        return;
-      }
-      const float weightOfRow = WeightAt(rows, row);
-      float* sum = this->Sums.get() + row * this->Columns + column;
-      float* known = this->Known.get() + row * this->Columns + column;
-      for (std::ptrdiff_t i = 0; i < count; ++i)
-      {
+        const float weight =
+          Nearness(directions[i], this->Direction) * Nearness(lengths[i], this->Length);
         // Where one of two rays meets no terrain, the other speaks for both.
-        const bool terrain = slopes[i] > NoTerrainSlope;
-        const float weight = terrain ? weightOfRow * WeightAt(columns, column + i) : 0.0f;
-        sum[i] += weight > 0.0f ? weight * slopes[i] : 0.0f;
-        known[i] += weight;
+        const bool counts = weight > 0.0f && slopes[i] > NoTerrainSlope;
+        sum[i] += counts ? weight * slopes[i] : 0.0f;
+        known[i] += counts ? weight : 0.0f;
       }
     });
 }
 
-void PatchBlend::End(Accumulator& consumer)
+void FanBlend::End(Accumulator& consumer)
 {
-  vtkSMPTools::For(0, this->Rows,
+  const std::ptrdiff_t columns = this->Metric.Columns();
+  vtkSMPTools::For(0, this->Metric.Rows(),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType row = begin; row < end; ++row)
       {
-        if (!this->Shared(row))
-        {
-          continue;
-        }
-        float* sum = this->Sums.get() + row * this->Columns;
-        const float* known = this->Known.get() + row * this->Columns;
-        for (std::ptrdiff_t i = 0; i < this->Columns; ++i)
+        float* sum = this->Sums.get() + row * columns;
+        const float* known = this->Known.get() + row * columns;
+        for (std::ptrdiff_t i = 0; i < columns; ++i)
         {
           sum[i] = known[i] > 0.0f ? sum[i] / known[i] : NoTerrainSlope;
         }
-        consumer.Add(row, 0, this->Columns, sum);
+        consumer.Add(row, 0, columns, sum);
       }
     });
 }

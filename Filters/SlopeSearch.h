@@ -4,8 +4,8 @@
 #define skyline_SlopeSearch_h
 
 #include "GroundMetric.h"
-#include "GroundPatches.h"
 #include "HorizonMethod.h"
+#include "RayFan.h"
 
 #include <cstddef>
 #include <functional>
@@ -35,34 +35,48 @@ void FindSlopes(const HorizonMethod& method, const PostRegion& region, const Slo
 /// Tells the method which posts of the field will be asked for.
 void AskFor(HorizonMethod& method, const PostRegion& region);
 
-/// Turns slopes found with the metric of a patch into those of each post's own, and blends patches.
-class PatchBlend
+/// A rectangle of posts, and which directions and lengths of a fan it uses.
+struct FanTile
+{
+  PostRegion Posts;
+  std::size_t FirstDirection, LastDirection, FirstLength, LastLength;
+};
+
+/// Blends the searches of a fan: at every post those of the neighbouring rays, each in proportion to its
+/// nearness, with slopes brought to the post's own length.
+class FanBlend
 {
 public:
-  PatchBlend(const GroundMetric& metric, const GroundPatches& patches);
+  explicit FanBlend(const GroundMetric& metric);
 
-  /// Forgets the azimuth before.
-  void Begin();
+  /// The next azimuth. The fan must outlive it.
+  void Begin(const RayFan& fan);
 
-  /// Finds and takes the slopes of the patch of a side of columns and one of rows; those that no other
-  /// patch shares go to the consumer at once.
-  void Add(const HorizonMethod& method, const PatchSide& columns, const PatchSide& rows,
-    Accumulator& consumer);
+  /// The posts that need direction i with length j; false if there are none.
+  bool Asks(std::size_t direction, std::size_t length, PostRegion& posts);
 
-  /// Hands the others on.
+  /// Finds their slopes with the method, which is prepared for them, and takes its part.
+  void Add(const HorizonMethod& method);
+
+  /// Hands the azimuth's slopes on.
   void End(Accumulator& consumer);
 
+  /// Brings slopes of posts of a row to their own length.
+  static void Lengthen(const GroundMetric& metric, const RayFrame& frame, std::ptrdiff_t row,
+    std::ptrdiff_t column, std::ptrdiff_t count, float* slopes);
+
   /// Floats a post that it needs.
-  static std::ptrdiff_t Floats(const GroundPatches& patches) { return patches.Count() > 1 ? 2 : 0; }
+  static constexpr std::ptrdiff_t Floats = 2;
 
 private:
-  bool Shared(std::ptrdiff_t row) const;
+  void Divide(const PostRegion& posts);
 
   const GroundMetric& Metric;
-  const GroundPatches& Patches;
-  std::ptrdiff_t Columns, Rows;
+  const RayFan* Fan = nullptr;
+  std::vector<FanTile> Tiles;
+  std::size_t Direction = 0, Length = 0;
+  std::vector<PostRegion> Asked;
   std::unique_ptr<float[]> Sums, Known; ///< of slopes by weight, and of the weights with terrain
-  std::vector<bool> SharedRows;
 };
 
 } // namespace skyline

@@ -4,6 +4,7 @@
 #include "ColorMaps.h"
 #include "Constants.h"
 #include "Daylight.h"
+#include "GroundMetric.h"
 #include "Normals.h"
 #include "SunField.h"
 #include "ToneMap.h"
@@ -26,6 +27,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <memory>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeightFieldShading);
@@ -61,8 +63,9 @@ struct Terrain
 {
   vtkDataArray* Heights;
   vtkIdType Columns, Rows;
-  double SpacingX, SpacingY;
+  skyline::PostSpacing Spacing;
   skyline::Georeference Place;
+  std::unique_ptr<skyline::GroundMetric> Metric;
 
   // Heights of one row, NaN where missing; all NaN outside the image.
   void Read(vtkIdType row, double* heights) const
@@ -78,15 +81,6 @@ struct Terrain
         CopyRow(static_cast<const VTK_TT*>(this->Heights->GetVoidPointer(row * this->Columns)),
           this->Columns, heights));
     }
-  }
-
-  double RowSpacingX(vtkIdType row) const
-  {
-    return this->Place.RowSpacingX.empty() ? this->SpacingX : this->Place.RowSpacingX[row];
-  }
-  double RowSpacingY(vtkIdType row) const
-  {
-    return this->Place.RowSpacingY.empty() ? this->SpacingY : this->Place.RowSpacingY[row];
   }
 
   // For the parallax and air of the sun, which hardly depend on it.
@@ -164,10 +158,12 @@ void LightRows(const Terrain& terrain, const Lights& lights, const skyline::SunF
     terrain.Read(row, here);
     terrain.Read(row + 1, north);
     sun.Row(row, 0, columns, x, y, z);
-    const double dx = terrain.RowSpacingX(row);
-    const double dy = terrain.RowSpacingY(row);
+    const bool alike = terrain.Metric->Uniform() || terrain.Metric->ByRows();
+    const skyline::PostMetric ofRow = terrain.Metric->At(0.0, static_cast<double>(row));
     for (vtkIdType i = 0; i < columns; ++i)
     {
+      const skyline::PostMetric metric =
+        alike ? ofRow : terrain.Metric->At(static_cast<double>(i), static_cast<double>(row));
       const vtkIdType post = row * columns + i;
       float* to = radiance + 3 * post;
       if (std::isnan(here[i]))
@@ -179,8 +175,11 @@ void LightRows(const Terrain& terrain, const Lights& lights, const skyline::SunF
       const double east = i + 1 < columns ? here[i + 1] : Nothing;
       const float toSun[3] = { x[i], y[i], z[i] };
       const Rgb albedo = ground(here[i]);
-      const Rgb light = Light(lights, post, skyline::AxisGradient(west, here[i], east, dx),
-        skyline::AxisGradient(south[i], here[i], north[i], dy), toSun);
+      const double slopeY = skyline::AxisGradient(south[i], here[i], north[i], metric.Y);
+      // A column lies a little further north than the one before where the map is sheared.
+      const double slopeX = skyline::AxisGradient(west, here[i], east, metric.X) -
+        slopeY * metric.Shear / metric.X;
+      const Rgb light = Light(lights, post, slopeX, slopeY, toSun);
       for (int c = 0; c < 3; ++c)
       {
         to[c] = albedo[c] * light[c];
@@ -315,21 +314,20 @@ int vtkHeightFieldShading::RequestData(
     return 0;
   }
 
-  Terrain terrain{ heights, columns, rows, in->GetSpacing()[0], in->GetSpacing()[1],
-    skyline::LoadGeoreference(in) };
-  if (terrain.Place.RowSpacingX.size() != static_cast<std::size_t>(rows) ||
-    terrain.Place.RowSpacingY.size() != static_cast<std::size_t>(rows))
-  {
-    terrain.Place.RowSpacingX.clear();
-    terrain.Place.RowSpacingY.clear();
-  }
+  Terrain terrain{ heights, columns, rows, { in->GetSpacing()[0], in->GetSpacing()[1] },
+    skyline::LoadGeoreference(in), nullptr };
+  terrain.Place.Columns = columns;
+  terrain.Place.Rows = rows;
   skyline::SunField sun = skyline::SunField::Constant(0.0, 90.0, 0.0);
   try
   {
     skyline::CheckWhole(input[0]->GetInformationObject(0));
+    terrain.Metric = std::make_unique<skyline::GroundMetric>(terrain.Place, terrain.Spacing);
+    terrain.Place.GroundAxes = !terrain.Metric->Uniform();
     sun = this->UseTime
       ? skyline::SunField(terrain.Place, skyline::ParseUtcTime(this->Time), terrain.MeanHeight())
-      : skyline::SunField::Constant(this->SunAzimuth, this->SunElevation, 0.0);
+      : skyline::SunField::OnImage(
+          terrain.Place, this->SunAzimuth, this->SunElevation, 0.0);
   }
   catch (const std::exception& error)
   {

@@ -79,7 +79,7 @@ vtkSmartPointer<vtkSkylineEnvironmentLight> MakeEnvironment(
   const std::string& name = options.Environment;
   auto light = vtkSmartPointer<vtkSkylineEnvironmentLight>::New();
   light->SetRotation(options.Rotation);
-  light->SetSunAzimuth(sun.GridAzimuth);
+  light->SetSunAzimuth(sun.SkyAzimuth);
   light->SetSunElevation(sun.ApparentElevation);
   std::vector<double> numbers;
   if (StartsWith(name, "cie:"))

@@ -3,6 +3,7 @@
 
 #include "Constants.h"
 #include "Failure.h"
+#include "GroundMetric.h"
 #include "SunPosition.h"
 
 #include "vtkHeightFieldSunShadow.h"
@@ -122,6 +123,16 @@ SunLight FindSun(const SunOptions& options, const Georeference& place, double he
     sun.ApparentElevation = sun.Elevation;
     sun.TrueAzimuth =
       sun.TrueNorth ? place.TrueAzimuthAt(column, row, sun.GridAzimuth) : sun.GridAzimuth;
+  }
+  sun.SkyAzimuth = sun.GridAzimuth;
+  if (sun.TrueNorth)
+  {
+    // Where the map keeps its angles both are one.
+    const double ground = place.GroundAzimuthAt(column, row, sun.TrueAzimuth);
+    if (std::abs(std::remainder(ground - sun.GridAzimuth, 360.0)) > AzimuthTolerance)
+    {
+      sun.SkyAzimuth = ground;
+    }
   }
   if (options.Radius != TrueRadius)
   {

@@ -33,6 +33,7 @@ struct SunLight
   bool FromTime = false;           ///< by --time
   bool TrueNorth = false;          ///< the place is known, and with it true north
   double GridAzimuth = 315.0;      ///< clockwise from the image's +y, 0 up to 360
+  double SkyAzimuth = 315.0;       ///< on the ground from the image's +y, as light maps count
   double TrueAzimuth = 315.0;      ///< clockwise from true north, 0 up to 360, if TrueNorth
   double Elevation = 45.0;         ///< without air; the same as below when given by --sun
   double ApparentElevation = 45.0; ///< lifted by the air

@@ -208,7 +208,7 @@ bool GroundMetric::Sample(const Georeference& place, std::ptrdiff_t side)
   return good || side >= LastNodes;
 }
 
-PostMetric GroundMetric::Interpolate(double column, double row) const
+PostMetric GroundMetric::Between(double column, double row) const
 {
   std::ptrdiff_t i = 0, j = 0;
   double across = 0.0, along = 0.0;
@@ -222,11 +222,11 @@ PostMetric GroundMetric::Interpolate(double column, double row) const
 
 PostMetric GroundMetric::At(double column, double row) const
 {
-  const PostMetric metric = this->Interpolate(column, row);
+  const PostMetric metric = this->Between(column, row);
   if (this->Collapses)
   {
     const bool south = row < 0.5 * static_cast<double>(this->RowCount - 1);
-    const PostMetric inward = this->Interpolate(column, south ? row + RowShift : row - RowShift);
+    const PostMetric inward = this->Between(column, south ? row + RowShift : row - RowShift);
     if (metric.X < 0.5 * inward.X)
     {
       return inward;
@@ -291,6 +291,38 @@ void GroundMetric::Lengths(std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdi
       metres[i] = static_cast<float>(from + step * (static_cast<double>(column + i) - west));
       ++i;
     } while (i < count && (last || static_cast<double>(column + i) < west + cell));
+  }
+}
+
+void GroundMetric::Interpolate(const std::vector<float>& nodes, std::ptrdiff_t row,
+  std::ptrdiff_t column, std::ptrdiff_t count, float* values) const
+{
+  std::ptrdiff_t j = 0;
+  double along = 0.0;
+  Split(static_cast<double>(row), this->RowCount, this->Along, j, along);
+  const float* south = nodes.data() + j * this->Across;
+  const float* north = this->Along > 1 ? south + this->Across : south;
+  const auto at = [&](std::ptrdiff_t i)
+  { return south[i] + along * (static_cast<double>(north[i]) - static_cast<double>(south[i])); };
+  if (this->Across < 2)
+  {
+    std::fill_n(values, count, static_cast<float>(at(0)));
+    return;
+  }
+  const double cell = static_cast<double>(this->ColumnCount - 1) / static_cast<double>(this->Across - 1);
+  for (std::ptrdiff_t k = 0; k < count;)
+  {
+    std::ptrdiff_t i = 0;
+    double fraction = 0.0;
+    Split(static_cast<double>(column + k), this->ColumnCount, this->Across, i, fraction);
+    const double west = static_cast<double>(i) * cell;
+    const double from = at(i), step = (at(i + 1) - from) / cell;
+    const bool last = i + 2 >= this->Across;
+    do
+    {
+      values[k] = static_cast<float>(from + step * (static_cast<double>(column + k) - west));
+      ++k;
+    } while (k < count && (last || static_cast<double>(column + k) < west + cell));
   }
 }
 

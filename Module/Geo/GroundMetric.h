@@ -81,12 +81,33 @@ public:
   void TurnGradients(
     std::ptrdiff_t row, const PostSpacing& image, std::ptrdiff_t count, float* x, float* y) const;
 
+  /// Calls f(metric) for every node, row by row from the south.
+  template <typename Function>
+  void ForEachNode(const Function& f) const
+  {
+    const auto step = [](std::ptrdiff_t posts, std::ptrdiff_t nodes)
+    { return nodes > 1 ? static_cast<double>(posts - 1) / static_cast<double>(nodes - 1) : 0.0; };
+    const double across = step(this->ColumnCount, this->Across);
+    const double along = step(this->RowCount, this->Along);
+    for (std::ptrdiff_t j = 0; j < this->Along; ++j)
+    {
+      for (std::ptrdiff_t i = 0; i < this->Across; ++i)
+      {
+        f(this->At(static_cast<double>(i) * across, static_cast<double>(j) * along));
+      }
+    }
+  }
+
+  /// Values of the nodes, in that order, interpolated at `count` posts of a row from `column` on.
+  void Interpolate(const std::vector<float>& nodes, std::ptrdiff_t row, std::ptrdiff_t column,
+    std::ptrdiff_t count, float* values) const;
+
   std::ptrdiff_t Columns() const { return this->ColumnCount; }
   std::ptrdiff_t Rows() const { return this->RowCount; }
 
 private:
   bool Sample(const Georeference& place, std::ptrdiff_t side);
-  PostMetric Interpolate(double column, double row) const;
+  PostMetric Between(double column, double row) const;
   const PostMetric& Node(std::ptrdiff_t i, std::ptrdiff_t j) const
   {
     return this->Nodes[static_cast<std::size_t>(j * this->Across + i)];

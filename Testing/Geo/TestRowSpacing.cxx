@@ -128,9 +128,12 @@ TEST(RowSpacing, TrueMapsAreTakenAtTheirWord)
   EXPECT_EQ(centre.Y, 1000.0);
   EXPECT_TRUE(utm.RowSpacingX.empty());
 
+  // Albers of the United States in California is off by 0.4 % and follows no graticule: its centre's own
+  // lengths, and the posts' from the lattice.
   Georeference albers = OnMap(Albers, -2033450.0, 225272.0, 30.0, 30.0, 1100, 1100);
   centre = ComputeRowSpacing(albers, 30.0, 30.0);
-  EXPECT_EQ(centre.X, 30.0);
+  EXPECT_NE(centre.X, 30.0);
+  EXPECT_NEAR(centre.X, 30.0, 0.3);
   EXPECT_TRUE(albers.RowSpacingX.empty());
 }
 

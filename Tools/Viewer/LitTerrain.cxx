@@ -273,13 +273,13 @@ bool LitTerrain::LightMap(const TerrainLight& light, bool exact)
   const double elevation = std::max(light.Sun.ApparentElevation, LowestSkySun);
   const double given = byFormula ? light.Sun.ApparentElevation : 0.0; // twilight included
   const std::string key =
-    Key(light.Sky, light.Rotation, exact, byFormula ? light.Sun.GridAzimuth : 0.0, given);
+    Key(light.Sky, light.Rotation, exact, byFormula ? light.Sun.SkyAzimuth : 0.0, given);
   if (key == this->MapKey)
   {
     return true;
   }
   map->SetRotation(light.Rotation);
-  map->SetSunAzimuth(light.Sun.GridAzimuth);
+  map->SetSunAzimuth(light.Sun.SkyAzimuth);
   map->SetSunElevation(elevation);
   if (kind == SkyKind::Formula)
   {

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RayFan.h"
+
+#include "Constants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace skyline
+{
+namespace
+{
+
+/// Parts of the range of directions in which the largest widening is looked for.
+constexpr int Bins = 256;
+
+/// How a post's own direction looks on the metric of the centre.
+struct OwnRay
+{
+  double Direction; ///< degrees, of the centre's ground
+  double Length;    ///< logarithm of its length per line over the centre's
+  double Widening;  ///< degrees on the post's ground for a degree of Direction
+};
+
+OwnRay RayOf(const PostMetric& metric, const PostMetric& reference, double azimuth)
+{
+  const double angle = azimuth * RadiansPerDegree;
+  const double columns = std::sin(angle) / metric.X;
+  const double rows = (std::cos(angle) - metric.Shear * columns) / metric.Y;
+  const double length = LengthOf(reference, columns, rows); // on the post's own ground it is 1
+  OwnRay ray;
+  ray.Direction =
+    std::atan2(reference.X * columns, reference.Shear * columns + reference.Y * rows) *
+    DegreesPerRadian;
+  ray.Length = -std::log(length);
+  // A direction turns by the cell's area over the squared length.
+  ray.Widening = metric.X * metric.Y / (reference.X * reference.Y) * length * length;
+  return ray;
+}
+
+/// The place of a value among rising nodes.
+float PlaceOf(const std::vector<double>& nodes, double value)
+{
+  const auto above = std::upper_bound(nodes.begin(), nodes.end(), value);
+  if (above == nodes.begin())
+  {
+    return 0.0f;
+  }
+  if (above == nodes.end())
+  {
+    return static_cast<float>(nodes.size() - 1);
+  }
+  const auto index = static_cast<double>(above - nodes.begin() - 1);
+  const double below = *(above - 1);
+  return static_cast<float>(index + (value - below) / (*above - below));
+}
+
+/// Nodes from least to greatest whose distance is at most `step(from)`.
+template <typename Step>
+std::vector<double> Nodes(double least, double greatest, const Step& step)
+{
+  if (greatest - least <= step(least))
+  {
+    return { 0.5 * (least + greatest) };
+  }
+  std::vector<double> nodes{ least };
+  while (nodes.back() < greatest)
+  {
+    nodes.push_back(nodes.back() + step(nodes.back()));
+  }
+  return nodes;
+}
+
+} // namespace
+
+RayFan::RayFan(const GroundMetric& metric, double azimuth, bool onImage, bool curved)
+  : Metric(metric)
+  , Reference(metric.Centre())
+{
+  const auto ground = [&](const PostMetric& post)
+  { return onImage ? metric.GroundAzimuth(post, azimuth) : azimuth; };
+  const double middle = RayOf(this->Reference, this->Reference, ground(this->Reference)).Direction;
+  std::vector<OwnRay> rays;
+  metric.ForEachNode(
+    [&](const PostMetric& node)
+    {
+      OwnRay ray = RayOf(node, this->Reference, ground(node));
+      ray.Direction = middle + std::remainder(ray.Direction - middle, 360.0);
+      rays.push_back(ray);
+    });
+  const auto byDirection = [](const OwnRay& a, const OwnRay& b) { return a.Direction < b.Direction; };
+  const auto byLength = [](const OwnRay& a, const OwnRay& b) { return a.Length < b.Length; };
+  const auto [first, last] = std::minmax_element(rays.begin(), rays.end(), byDirection);
+  const auto [shortest, longest] = std::minmax_element(rays.begin(), rays.end(), byLength);
+  const double least = first->Direction, greatest = last->Direction;
+
+  // The widening of the posts that use a direction, by parts of the range; a part without nodes has its
+  // neighbours'.
+  const double width = std::max(greatest - least, 1e-12) / Bins;
+  std::vector<double> widening(Bins, 0.0);
+  const auto bin = [&](double direction)
+  { return static_cast<std::size_t>(std::clamp((direction - least) / width, 0.0, Bins - 1.0)); };
+  for (const OwnRay& ray : rays)
+  {
+    double& here = widening[bin(ray.Direction)];
+    here = std::max(here, ray.Widening);
+  }
+  for (std::size_t i = 1; i < widening.size(); ++i)
+  {
+    widening[i] = widening[i] > 0.0 ? widening[i] : widening[i - 1];
+  }
+  const auto largest = [&](double from, double to)
+  {
+    return *std::max_element(widening.begin() + static_cast<std::ptrdiff_t>(bin(from)),
+      widening.begin() + static_cast<std::ptrdiff_t>(bin(to)) + 1);
+  };
+  this->Directions = Nodes(least, greatest,
+    [&](double from)
+    {
+      double step = FanAzimuthStep / largest(from, from);
+      for (int i = 0; i < 3; ++i)
+      {
+        step = FanAzimuthStep / largest(from, from + step);
+      }
+      return step;
+    });
+  this->Lengths = curved
+    ? Nodes(shortest->Length, longest->Length, [](double) { return FanLengthStep; })
+    : std::vector<double>{ 0.0 };
+  for (const OwnRay& ray : rays)
+  {
+    this->Direction.push_back(PlaceOf(this->Directions, ray.Direction));
+    this->Length.push_back(PlaceOf(this->Lengths, ray.Length));
+  }
+}
+
+PostMetric RayFan::MetricOf(std::size_t length) const
+{
+  const double scale = std::exp(this->Lengths[length]);
+  return { scale * this->Reference.X, scale * this->Reference.Shear, scale * this->Reference.Y };
+}
+
+void RayFan::Places(std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count,
+  float* directions, float* lengths) const
+{
+  this->Metric.Interpolate(this->Direction, row, column, count, directions);
+  this->Metric.Interpolate(this->Length, row, column, count, lengths);
+}
+
+} // namespace skyline
