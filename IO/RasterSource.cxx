@@ -73,6 +73,15 @@ BandType TypeOf(GDALDataType type)
   }
 }
 
+/// True where the next column lies to the left of the way to the next row, seen from above (at the
+/// centre): the posts' order shows the ground in a mirror.
+bool IsMirrored(const Georeference& place)
+{
+  const PostSteps steps = place.StepsAt(
+    0.5 * static_cast<double>(place.Columns - 1), 0.5 * static_cast<double>(place.Rows - 1));
+  return steps.EastPerColumn * steps.NorthPerRow < steps.EastPerRow * steps.NorthPerColumn;
+}
+
 GDALDataType GdalTypeOf(int vtkType)
 {
   switch (vtkType)
@@ -221,10 +230,14 @@ void RasterSource::ReadPlace()
   std::array<double, 6>& transform = this->Whole.GeoTransform;
   this->MirroredX = (transform[1] < 0.0) != this->Crs.PointsSouthWest();
   this->SouthUp = (transform[5] > 0.0) != this->Crs.PointsSouthWest();
-  if (this->MirroredX)
+  const auto mirror = [&]()
   {
     transform[0] += this->Columns * transform[1];
     transform[1] = -transform[1];
+  };
+  if (this->MirroredX)
+  {
+    mirror();
   }
   if (this->SouthUp)
   {
@@ -235,6 +248,13 @@ void RasterSource::ReadPlace()
   if (crs && !crs->IsEmpty())
   {
     this->Crs.Place(this->Whole);
+    if (this->Whole.OnBody() && IsMirrored(this->Whole))
+    {
+      // Axes south and west (Krovak): seen from above only the other way round.
+      this->MirroredX = !this->MirroredX;
+      mirror();
+      this->Crs.Place(this->Whole);
+    }
   }
 
   const double unit = this->Crs.GetUnit();
@@ -251,9 +271,11 @@ void RasterSource::ReadPlace()
   this->Spacing = { { spacing.X, spacing.Y } };
   if (!this->Crs.IsGeographic())
   {
-    const double metres = this->Crs.PointsSouthWest() ? -unit : unit;
-    this->Origin = { { (transform[0] + 0.5 * transform[1]) * metres,
-      (transform[3] + (this->Rows - 0.5) * transform[5]) * metres } };
+    // Columns and rows grow with the image's coordinates, whichever way the map's do.
+    const double metresX = transform[1] < 0.0 ? -unit : unit;
+    const double metresY = transform[5] > 0.0 ? -unit : unit;
+    this->Origin = { { (transform[0] + 0.5 * transform[1]) * metresX,
+      (transform[3] + (this->Rows - 0.5) * transform[5]) * metresY } };
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RowSpacing.h"
 
+#include "Constants.h"
 #include "GroundMetric.h"
 
 #include <GeographicLib/Geodesic.hpp>
@@ -152,7 +153,9 @@ PostSpacing ComputeRowSpacing(
   place.LonLatAt(0.0, 0.0, longitude, latitude); // refuses what has no body
   if (unit != StepUnit::Degrees && !place.FollowsGraticule())
   {
-    const PostMetric centre = GroundMetric(place, nominal).Centre();
+    const double metres =
+      unit == StepUnit::Metres ? 1.0 : place.EquatorialRadius * RadiansPerDegree; // about
+    const PostMetric centre = GroundMetric(place, { metres * nominalX, metres * nominalY }).Centre();
     return { std::hypot(centre.X, centre.Shear), centre.Y };
   }
   const Ruler ruler(place);

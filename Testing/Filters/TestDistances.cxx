@@ -32,8 +32,8 @@ namespace skyline
 namespace
 {
 
-constexpr int Posts = 121;
-constexpr double Step = 500.0;   // metres on the map, about: 60 km of raster
+constexpr int Posts = 161;
+constexpr double Step = 150.0;   // metres on the map, about: 24 km of raster, towers 1.2 km away
 constexpr int Reach = 8;         // posts from a receiver to its tower, or a little more
 constexpr double Rise = 0.3;     // height of a tower over its distance
 constexpr double Turn = 0.01;    // degrees between the azimuths that are tried
