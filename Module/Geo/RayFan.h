@@ -14,7 +14,7 @@ namespace skyline
 /// Degrees between neighbouring rays of a fan, on the ground of every post that uses them: no ray that
 /// counts for a post leaves it further beside its azimuth. The horizon is interpolated between both, so
 /// that their mean direction is the exact one and no border can be seen.
-constexpr double FanAzimuthStep = 0.045;
+constexpr double FanAzimuthStep = 0.03;
 
 /// Relative difference of the lengths of neighbouring rays. Slopes are brought to each post's own length;
 /// only the part that the body's curvature takes, d (1 - k) / 2R, comes from the rays, again interpolated.

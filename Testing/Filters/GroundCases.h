@@ -38,7 +38,7 @@ inline std::vector<GroundCase> GroundCases()
   return {
     { "longitude, latitude: Norway", "EPSG:4326", 10, 62 },
     { "longitude, latitude: equator", "EPSG:4326", 30, 0.2 },
-    { "longitude, latitude: 86 degrees north", "EPSG:4326", 20, 86 },
+    { "longitude, latitude: 80 degrees north", "EPSG:4326", 20, 80 },
     { "longitude, latitude across the antimeridian", "EPSG:4326", 179.9, -17 },
     { "longitude, latitude: Moon", "+proj=longlat +R=1737400 +no_defs +type=crs", 20, 60 },
     { "rotated pole, sphere: Lapland", sphere, 25, 68 },

@@ -124,7 +124,6 @@ struct Worst
 {
   double Distance = 0.0, Azimuth = 0.0;
   std::size_t Rays = 0;
-  double Latitude = 0.0;
 };
 
 class Map
@@ -143,8 +142,6 @@ public:
     {
       stepX /= std::max(0.05, std::cos(centre[1] * RadiansPerDegree));
     }
-    OGRAxisOrientation first = OAO_Other;
-    this->Place.Crs.GetAxis(nullptr, 0, &first);
     this->Transform = { { centre[0] - 0.5 * Posts * stepX, stepX, 0.0, centre[1] + 0.5 * Posts * stepY,
       0.0, -stepY } };
     std::string text = "<VRTDataset rasterXSize=\"" + std::to_string(Posts) + "\" rasterYSize=\"" +
@@ -167,22 +164,35 @@ public:
   /// Longitude and latitude of a post, by PROJ.
   std::array<double, 2> At(double column, double row) const
   {
-    // The reader turns maps whose axes point south and west; the posts' places tell.
     const double line = Posts - 1 - row;
-    return this->Place.LonLat(this->Transform[0] + (this->Turned ? Posts - 0.5 - column : column + 0.5) * this->Transform[1],
-      this->Transform[3] + (this->Turned ? Posts - 0.5 - line : line + 0.5) * this->Transform[5]);
+    return this->Place.LonLat(
+      this->Transform[0] + (this->FlipX ? Posts - 0.5 - column : column + 0.5) * this->Transform[1],
+      this->Transform[3] + (this->FlipY ? Posts - 0.5 - line : line + 0.5) * this->Transform[5]);
   }
 
   Worst Measure()
   {
     const Georeference place = LoadGeoreference(this->Image);
-    double longitude = 0.0, latitude = 0.0;
-    place.LonLatAt(0.0, 0.0, longitude, latitude);
-    const std::array<double, 2> corner = this->At(0.0, 0.0);
-    this->Turned = std::abs(corner[1] - latitude) > 1e-3 ||
-      std::abs(std::remainder(corner[0] - longitude, 360.0)) > 1e-3;
+    // The reader turns maps whose axes point south or west; the posts' places tell how.
+    double longitude = 0.0, latitude = 0.0, nearest = 1e30;
+    place.LonLatAt(3.0, 1.0, longitude, latitude);
+    bool flipX = false, flipY = false;
+    for (const int flips : { 0, 1, 2, 3 })
+    {
+      this->FlipX = (flips & 1) != 0;
+      this->FlipY = (flips & 2) != 0;
+      const std::array<double, 2> post = this->At(3.0, 1.0);
+      const double off = std::hypot(post[1] - latitude, std::remainder(post[0] - longitude, 360.0));
+      if (off < nearest)
+      {
+        nearest = off;
+        flipX = this->FlipX;
+        flipY = this->FlipY;
+      }
+    }
+    this->FlipX = flipX;
+    this->FlipY = flipY;
     Worst worst;
-    worst.Latitude = latitude;
     // A tower beside the corner has its nearest point inside the raster.
     constexpr int first = Reach, last = Posts - 1 - Reach, middle = Posts / 2;
     for (const auto& [column, row] : { std::pair<int, int>{ middle, middle }, { first, first },
@@ -301,7 +311,7 @@ private:
 
   Truth Place;
   std::array<double, 6> Transform;
-  bool Turned = false;
+  bool FlipX = false, FlipY = false;
   vtkNew<vtkImageData> Image;
 };
 

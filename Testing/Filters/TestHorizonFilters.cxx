@@ -259,8 +259,9 @@ TEST(HorizonFilter, CurvatureSinksFarTerrain)
   place.Earth = true;
   place.Columns = place.Rows = 101;
   place.LatticeColumns = place.LatticeRows = 2;
-  place.Longitude = { 0.0, 1.0, 0.0, 1.0 };
-  place.Latitude = { 0.0, 0.0, 1.0, 1.0 };
+  const double side = 100000.0 / 6371000.0 * 180.0 / Pi; // as the image's spacing says
+  place.Longitude = { 0.0, side, 0.0, side };
+  place.Latitude = { 0.0, 0.0, side, side };
   StoreGeoreference(place, image);
   vtkNew<vtkHeightFieldHorizon> filter;
   filter->SetInputData(image);
