@@ -218,8 +218,8 @@ std::shared_ptr<const HeightPyramid> HorizonScene::PyramidOfHeights()
   return this->Kept->Pyramid;
 }
 
-bool HorizonScene::Run(const std::vector<double>& azimuths, double width, Accumulator& consumer,
-  AzimuthAxes axes)
+bool HorizonScene::Run(
+  const std::vector<double>& azimuths, double width, Accumulator& consumer, AzimuthAxes axes)
 {
   const bool keep = this->Kept && this->Settings.Method == HorizonMethodKind::Pyramid;
   const auto method =
@@ -252,8 +252,8 @@ void HorizonScene::Prepare(
   }
   method.SetAzimuth(grid, azimuth);
   AskFor(method, region);
-  vtkSMPTools::For(0, method.PrepareCount(),
-    [&](vtkIdType begin, vtkIdType end) { method.Prepare(begin, end); });
+  vtkSMPTools::For(
+    0, method.PrepareCount(), [&](vtkIdType begin, vtkIdType end) { method.Prepare(begin, end); });
 }
 
 bool HorizonScene::RunFans(HorizonMethod& method, const std::vector<double>& azimuths, double width,

@@ -269,8 +269,8 @@ bool AddSun(
   const double darkening = light->GetLimbDarkening() ? EddingtonLimbDarkening : 0.0;
   const SunField sun = light->GetUseTime()
     ? SunField(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight())
-    : SunField::OnImage(scene.Place(), light->GetAzimuth(), light->GetElevation(),
-        light->GetAngularRadius());
+    : SunField::OnImage(
+        scene.Place(), light->GetAzimuth(), light->GetElevation(), light->GetAngularRadius());
   if (light->GetUseTime() && light->GetTrueRadius())
   {
     disc.Radius = sun.Radius() * RadiansPerDegree;
@@ -314,8 +314,8 @@ bool AddSun(HorizonScene& scene, HorizonCache& cache, const SunField& sun, const
   return finished;
 }
 
-bool AddLamp(HorizonScene& scene, const ImageFrame& image, vtkSkylineLampLight* light,
-  const LitPosts& posts)
+bool AddLamp(
+  HorizonScene& scene, const ImageFrame& image, vtkSkylineLampLight* light, const LitPosts& posts)
 {
   const LampTerrain terrain(scene.PreparedField());
   LampSettings settings;

@@ -68,8 +68,8 @@ struct ImageFrame
 };
 
 /// A lamp, whose place counts in the image's coordinates. False if stopped.
-bool AddLamp(HorizonScene& scene, const ImageFrame& image, vtkSkylineLampLight* light,
-  const LitPosts& posts);
+bool AddLamp(
+  HorizonScene& scene, const ImageFrame& image, vtkSkylineLampLight* light, const LitPosts& posts);
 
 } // namespace skyline
 

@@ -28,8 +28,8 @@ std::ptrdiff_t SlopeStride(std::ptrdiff_t lanes)
 }
 
 // Lines of the frame that hold image lines [begin, end).
-void FrameLines(
-  const RayFrame& frame, std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrdiff_t& from, std::ptrdiff_t& to)
+void FrameLines(const RayFrame& frame, std::ptrdiff_t begin, std::ptrdiff_t end,
+  std::ptrdiff_t& from, std::ptrdiff_t& to)
 {
   from = frame.Reversed ? frame.Lines - end : begin;
   to = frame.Reversed ? frame.Lines - begin : end;
@@ -54,8 +54,7 @@ void FindChunk(const HorizonMethod& method, const PostRegion& chunk, std::vector
   method.Find(from, to, chunk.ColumnBegin, chunk.ColumnEnd, slopes.data(), stride);
   for (std::ptrdiff_t line = from; line < to; ++line)
   {
-    take(
-      frame.ImageLine(line), chunk.ColumnBegin, count, slopes.data() + (line - from) * stride);
+    take(frame.ImageLine(line), chunk.ColumnBegin, count, slopes.data() + (line - from) * stride);
   }
 }
 
@@ -233,8 +232,8 @@ void FanBlend::Divide(const PostRegion& posts)
     ray(std::ceil(greatest[0] + slack), directions, 0.0f), ray(least[1], lengths, -slack),
     ray(std::ceil(greatest[1] + slack), lengths, 0.0f) };
   const std::ptrdiff_t rows = posts.RowEnd - posts.RowBegin;
-  const std::size_t used = std::max(
-    tile.LastDirection - tile.FirstDirection, tile.LastLength - tile.FirstLength);
+  const std::size_t used =
+    std::max(tile.LastDirection - tile.FirstDirection, tile.LastLength - tile.FirstLength);
   const bool tall = rows > SmallestRows, wide = count > SmallestColumns;
   if (used <= RaysPerTile || (!tall && !wide))
   {

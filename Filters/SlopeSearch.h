@@ -25,8 +25,8 @@ struct PostRegion
 
 /// Takes the slopes of posts (column .. column + count - 1, row), which it may change; called from many
 /// threads, for disjoint posts.
-using SlopeTaker =
-  std::function<void(std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count, float* slopes)>;
+using SlopeTaker = std::function<void(
+  std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count, float* slopes)>;
 
 /// The region's slopes in the azimuth that the method is prepared for. The same region gives the same
 /// bits, whatever the number of threads.

@@ -116,8 +116,8 @@ bool vtkShadowHeightMap::AddShadow(skyline::HorizonScene& scene, vtkImageData* o
   }
   const auto method = this->MakeMethod(scene, skyline::ShadowSlope(elevation));
   ShadowStore store(scene, this->GetInputArrayToProcess(0, output), shadows, belowTerrain);
-  const bool finished = scene.Run(
-    *method, { this->SunAzimuth }, 0.0, store, skyline::AzimuthAxes::Image);
+  const bool finished =
+    scene.Run(*method, { this->SunAzimuth }, 0.0, store, skyline::AzimuthAxes::Image);
   scene.BlankMissing(shadows);
   return finished;
 }

@@ -199,8 +199,10 @@ void CoordinateSystem::FillLattice(Georeference& georeference) const
     if (nodes >= LastLatticeNodes)
     {
       Refuse(this->File,
-        "its map '" + NameOf(this->Horizontal) + "' is torn or folded inside the raster: lengths change "
-        "by more than 0.1 % between two of " + std::to_string(nodes) +
+        "its map '" + NameOf(this->Horizontal) +
+          "' is torn or folded inside the raster: lengths change "
+          "by more than 0.1 % between two of " +
+          std::to_string(nodes) +
           " places along a side; cut the raster to one side of the tear (gdalwarp -te) or warp it to "
           "a local map such as UTM (gdalwarp -t_srs)");
     }
@@ -273,8 +275,8 @@ bool CoordinateSystem::IsFine(
     0.5 * static_cast<double>(georeference.Rows - 1));
   const double width = std::hypot(middle.EastPerColumn, middle.NorthPerColumn) *
     static_cast<double>(georeference.Columns - 1);
-  const double height = std::hypot(middle.EastPerRow, middle.NorthPerRow) *
-    static_cast<double>(georeference.Rows - 1);
+  const double height =
+    std::hypot(middle.EastPerRow, middle.NorthPerRow) * static_cast<double>(georeference.Rows - 1);
   if (std::max(width, height) < ShortestChecked)
   {
     return true;
@@ -318,8 +320,7 @@ bool CoordinateSystem::IsFine(
     }
     // A point where columns meet has no step to compare with.
     const double whole = std::max(width, height) / georeference.EquatorialRadius;
-    if (error > LatticeTolerance * LatticeTolerance * length &&
-      std::sqrt(length) > 1e-6 * whole)
+    if (error > LatticeTolerance * LatticeTolerance * length && std::sqrt(length) > 1e-6 * whole)
     {
       return false;
     }

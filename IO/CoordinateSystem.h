@@ -56,7 +56,8 @@ private:
   void ReadAxes();
   void ReadUnits(const OGRSpatialReference& whole);
   void FillLattice(Georeference& georeference) const;
-  void FillNodes(Georeference& georeference, int nodes, OGRCoordinateTransformation& toDegrees) const;
+  void FillNodes(
+    Georeference& georeference, int nodes, OGRCoordinateTransformation& toDegrees) const;
   bool IsFine(const Georeference& georeference, OGRCoordinateTransformation& toDegrees) const;
   void ToDegrees(const Georeference& georeference, OGRCoordinateTransformation& toDegrees,
     std::vector<double>& columns, std::vector<double>& rows) const;

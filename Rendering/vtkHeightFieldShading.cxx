@@ -177,8 +177,8 @@ void LightRows(const Terrain& terrain, const Lights& lights, const skyline::SunF
       const Rgb albedo = ground(here[i]);
       const double slopeY = skyline::AxisGradient(south[i], here[i], north[i], metric.Y);
       // A column lies a little further north than the one before where the map is sheared.
-      const double slopeX = skyline::AxisGradient(west, here[i], east, metric.X) -
-        slopeY * metric.Shear / metric.X;
+      const double slopeX =
+        skyline::AxisGradient(west, here[i], east, metric.X) - slopeY * metric.Shear / metric.X;
       const Rgb light = Light(lights, post, slopeX, slopeY, toSun);
       for (int c = 0; c < 3; ++c)
       {
@@ -326,8 +326,7 @@ int vtkHeightFieldShading::RequestData(
     terrain.Place.GroundAxes = !terrain.Metric->Uniform();
     sun = this->UseTime
       ? skyline::SunField(terrain.Place, skyline::ParseUtcTime(this->Time), terrain.MeanHeight())
-      : skyline::SunField::OnImage(
-          terrain.Place, this->SunAzimuth, this->SunElevation, 0.0);
+      : skyline::SunField::OnImage(terrain.Place, this->SunAzimuth, this->SunElevation, 0.0);
   }
   catch (const std::exception& error)
   {

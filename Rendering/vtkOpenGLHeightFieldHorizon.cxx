@@ -79,8 +79,7 @@ bool vtkOpenGLHeightFieldHorizon::Sweep(
   skyline::StoreAccumulator store(
     scene.Posts().Columns, values, static_cast<std::ptrdiff_t>(azimuths.size()));
   scene.DoubtOneMetric("the sweep", scene.CentreMetric());
-  const bool finished =
-    scene.Run(method, azimuths, 0.0, store, skyline::AzimuthAxes::Image);
+  const bool finished = scene.Run(method, azimuths, 0.0, store, skyline::AzimuthAxes::Image);
   this->Twin->OnDevice = this->Sweeps->OnDevice;
   return finished;
 }

@@ -17,9 +17,10 @@ constexpr const char* BodyArrayName = "BodyEllipsoid";    ///< metres, flattenin
 constexpr const char* LatticeArrayName = "LonLatLattice"; ///< pairs of degrees, node by node
 constexpr const char* LatticeSizeArrayName = "LonLatLatticeSize"; ///< 2 ints: columns, rows
 constexpr const char* RowSpacingArrayName = "RowSpacing";         ///< pairs of metres, row by row
-constexpr const char* DegreesArrayName = "StepsInDegrees"; ///< 1 double, 1: of longitude and latitude
-constexpr const char* PostCountArrayName = "PostCount";           ///< 2 doubles: columns, rows
-constexpr const char* NodataArrayName = "NodataValue"; ///< 1 double: the file's nodata value
+constexpr const char* DegreesArrayName =
+  "StepsInDegrees";                                     ///< 1 double, 1: of longitude and latitude
+constexpr const char* PostCountArrayName = "PostCount"; ///< 2 doubles: columns, rows
+constexpr const char* NodataArrayName = "NodataValue";  ///< 1 double: the file's nodata value
 
 /// Puts `georeference` into the field data of `data`, in place of the one that was there.
 void StoreGeoreference(const Georeference& georeference, vtkDataObject* data);

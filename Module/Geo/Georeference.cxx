@@ -263,8 +263,7 @@ bool Georeference::FollowsGraticule() const
 {
   Check(*this);
   const int columns = this->LatticeColumns, rows = this->LatticeRows;
-  return AreGraticule(
-    *this, { { 0, columns / 2, columns - 1 } }, { { 0, rows / 2, rows - 1 } });
+  return AreGraticule(*this, { { 0, columns / 2, columns - 1 } }, { { 0, rows / 2, rows - 1 } });
 }
 
 double Georeference::ConvergenceAt(double column, double row) const

@@ -55,8 +55,9 @@ PostMetric MetricOfLattice(const Georeference& place, double column, double row)
   if (!(metric.Y > 0.0) || !(metric.X > -nothing * metric.Y) || !std::isfinite(metric.X) ||
     !std::isfinite(metric.Shear))
   {
-    RefusePost(column, row, "has steps of " + std::to_string(metric.X) + " x " +
-        std::to_string(metric.Y) + " m on the ground, from which no distances follow");
+    RefusePost(column, row,
+      "has steps of " + std::to_string(metric.X) + " x " + std::to_string(metric.Y) +
+        " m on the ground, from which no distances follow");
   }
   metric.X = std::max(metric.X, 0.0);
   return metric;
@@ -74,8 +75,8 @@ bool Within(const MetricError& error, double distance, double radians)
 }
 
 /// Where a post lies between two of `nodes` nodes spread over `posts` posts.
-void Split(double post, std::ptrdiff_t posts, std::ptrdiff_t nodes, std::ptrdiff_t& node,
-  double& fraction)
+void Split(
+  double post, std::ptrdiff_t posts, std::ptrdiff_t nodes, std::ptrdiff_t& node, double& fraction)
 {
   if (nodes < 2)
   {
@@ -137,8 +138,8 @@ GroundMetric::GroundMetric(const Georeference& place, const PostSpacing& image)
     }
     return;
   }
-  const double side = std::max(image.X * static_cast<double>(place.Columns),
-    image.Y * static_cast<double>(place.Rows));
+  const double side = std::max(
+    image.X * static_cast<double>(place.Columns), image.Y * static_cast<double>(place.Rows));
   if (place.OnBody() && side >= ShortestSide)
   {
     this->TrueImage = place.InDegrees || !place.HasGeoTransform || place.FollowsGraticule();
@@ -277,7 +278,8 @@ void GroundMetric::Lengths(std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdi
     return;
   }
   // Linear between nodes, as the metric is.
-  const double cell = static_cast<double>(this->ColumnCount - 1) / static_cast<double>(this->Across - 1);
+  const double cell =
+    static_cast<double>(this->ColumnCount - 1) / static_cast<double>(this->Across - 1);
   for (std::ptrdiff_t i = 0; i < count;)
   {
     std::ptrdiff_t node = 0;
@@ -309,7 +311,8 @@ void GroundMetric::Interpolate(const std::vector<float>& nodes, std::ptrdiff_t r
     std::fill_n(values, count, static_cast<float>(at(0)));
     return;
   }
-  const double cell = static_cast<double>(this->ColumnCount - 1) / static_cast<double>(this->Across - 1);
+  const double cell =
+    static_cast<double>(this->ColumnCount - 1) / static_cast<double>(this->Across - 1);
   for (std::ptrdiff_t k = 0; k < count;)
   {
     std::ptrdiff_t i = 0;

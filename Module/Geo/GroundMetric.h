@@ -117,9 +117,9 @@ private:
   std::ptrdiff_t Across = 1, Along = 1; ///< nodes
   std::vector<PostMetric> Nodes;        ///< row by row from the south
   bool HasRows = false;
-  bool Collapses = false;                ///< somewhere all columns meet in a point
-  bool TrueImage = false;                ///< image azimuths count in true lengths
-  double ImageX = 1.0, ImageY = 1.0;     ///< steps of the image's plane, if not
+  bool Collapses = false;            ///< somewhere all columns meet in a point
+  bool TrueImage = false;            ///< image azimuths count in true lengths
+  double ImageX = 1.0, ImageY = 1.0; ///< steps of the image's plane, if not
 };
 
 } // namespace skyline

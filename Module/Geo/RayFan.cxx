@@ -88,7 +88,8 @@ RayFan::RayFan(const GroundMetric& metric, double azimuth, bool onImage, bool cu
       ray.Direction = middle + std::remainder(ray.Direction - middle, 360.0);
       rays.push_back(ray);
     });
-  const auto byDirection = [](const OwnRay& a, const OwnRay& b) { return a.Direction < b.Direction; };
+  const auto byDirection = [](const OwnRay& a, const OwnRay& b)
+  { return a.Direction < b.Direction; };
   const auto byLength = [](const OwnRay& a, const OwnRay& b) { return a.Length < b.Length; };
   const auto [first, last] = std::minmax_element(rays.begin(), rays.end(), byDirection);
   const auto [shortest, longest] = std::minmax_element(rays.begin(), rays.end(), byLength);

@@ -127,8 +127,7 @@ bool Near(const PostSpacing& value, const PostSpacing& reference, double toleran
 
 } // namespace
 
-PostSpacing ComputeRowSpacing(
-  Georeference& place, double nominalX, double nominalY, StepUnit unit)
+PostSpacing ComputeRowSpacing(Georeference& place, double nominalX, double nominalY, StepUnit unit)
 {
   CheckSteps(nominalX, nominalY);
   if (unit != StepUnit::Metres)
@@ -155,7 +154,8 @@ PostSpacing ComputeRowSpacing(
   {
     const double metres =
       unit == StepUnit::Metres ? 1.0 : place.EquatorialRadius * RadiansPerDegree; // about
-    const PostMetric centre = GroundMetric(place, { metres * nominalX, metres * nominalY }).Centre();
+    const PostMetric centre =
+      GroundMetric(place, { metres * nominalX, metres * nominalY }).Centre();
     return { std::hypot(centre.X, centre.Shear), centre.Y };
   }
   const Ruler ruler(place);

@@ -73,9 +73,11 @@ inline std::vector<GroundCase> GroundCases()
     { "state plane in US feet: 700 km away", "EPSG:2263", -82, 40 },
     { "equal area cylindrical (EASE)", "EPSG:6933", 10, 55 },
     { "equidistant conic, United States", "ESRI:102005", -122, 47 },
-    { "azimuthal equidistant: 3000 km away", "+proj=aeqd +lat_0=45 +lon_0=10 +datum=WGS84 +type=crs", 40, 30 },
+    { "azimuthal equidistant: 3000 km away",
+      "+proj=aeqd +lat_0=45 +lon_0=10 +datum=WGS84 +type=crs", 40, 30 },
     { "gnomonic: 1500 km away", "+proj=gnom +lat_0=45 +lon_0=10 +datum=WGS84 +type=crs", 25, 38 },
-    { "Cassini-Soldner: 8 degrees away", "+proj=cass +lat_0=45 +lon_0=10 +datum=WGS84 +type=crs", 18, 48 },
+    { "Cassini-Soldner: 8 degrees away", "+proj=cass +lat_0=45 +lon_0=10 +datum=WGS84 +type=crs",
+      18, 48 },
     { "American polyconic: Brazil", "EPSG:5880", -70, -9 },
     { "New Zealand map grid", "EPSG:27200", 168, -45 },
   };

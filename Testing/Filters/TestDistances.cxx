@@ -33,11 +33,11 @@ namespace
 {
 
 constexpr int Posts = 161;
-constexpr double Step = 150.0;   // metres on the map, about: 24 km of raster, towers 1.2 km away
-constexpr int Reach = 8;         // posts from a receiver to its tower, or a little more
-constexpr double Rise = 0.3;     // height of a tower over its distance
-constexpr double Turn = 0.01;    // degrees between the azimuths that are tried
-constexpr int Turns = 15;        // to either side
+constexpr double Step = 150.0; // metres on the map, about: 24 km of raster, towers 1.2 km away
+constexpr int Reach = 8;       // posts from a receiver to its tower, or a little more
+constexpr double Rise = 0.3;   // height of a tower over its distance
+constexpr double Turn = 0.01;  // degrees between the azimuths that are tried
+constexpr int Turns = 15;      // to either side
 
 // What Documentation/distances.md promises, and what this test adds: where columns and rows meet at 23
 // degrees, half a step of azimuth makes 0.02 % of the distance to a tower's edge, and the ray bends by 0.01 %
@@ -67,8 +67,8 @@ class Truth
 public:
   explicit Truth(const std::string& text)
     : Crs(CrsOf(text))
-    , Geodesic(Crs.GetSemiMajor(),
-        Crs.GetInvFlattening() > 0.0 ? 1.0 / Crs.GetInvFlattening() : 0.0)
+    , Geodesic(
+        Crs.GetSemiMajor(), Crs.GetInvFlattening() > 0.0 ? 1.0 / Crs.GetInvFlattening() : 0.0)
   {
     OGRSpatialReference degrees;
     degrees.SetGeogCS("own", "own", "own", this->Crs.GetSemiMajor(), this->Crs.GetInvFlattening());
@@ -143,8 +143,8 @@ public:
     {
       stepX /= std::max(0.05, std::cos(centre[1] * RadiansPerDegree));
     }
-    this->Transform = { { centre[0] - 0.5 * Posts * stepX, stepX, 0.0, centre[1] + 0.5 * Posts * stepY,
-      0.0, -stepY } };
+    this->Transform = { { centre[0] - 0.5 * Posts * stepX, stepX, 0.0,
+      centre[1] + 0.5 * Posts * stepY, 0.0, -stepY } };
     std::string text = "<VRTDataset rasterXSize=\"" + std::to_string(Posts) + "\" rasterYSize=\"" +
       std::to_string(Posts) + "\"><SRS>" + Escaped(this->Wkt()) + "</SRS><GeoTransform>";
     for (std::size_t i = 0; i < 6; ++i)
@@ -200,8 +200,8 @@ public:
            { last, first }, { first, last }, { last, last } })
     {
       const int inwardX = column == last ? -1 : 1, inwardY = row == last ? -1 : 1;
-      for (const auto& [east, north] : { std::pair<int, int>{ Reach, 0 }, { 1, Reach },
-             { Reach - 1, Reach - 3 } })
+      for (const auto& [east, north] :
+        { std::pair<int, int>{ Reach, 0 }, { 1, Reach }, { Reach - 1, Reach - 3 } })
       {
         this->Measure(place, column, row, column + inwardX * east, row + inwardY * north, worst);
       }
@@ -220,7 +220,8 @@ private:
     return wkt;
   }
 
-  void Measure(const Georeference& place, int column, int row, int towerColumn, int towerRow, Worst& worst)
+  void Measure(
+    const Georeference& place, int column, int row, int towerColumn, int towerRow, Worst& worst)
   {
     const std::array<double, 2> here = this->At(column, row);
     // The nearest point of a flat top of 3 x 3 posts, and the tip of a spike of one post.
@@ -257,15 +258,15 @@ private:
     worst.Distance = std::max(worst.Distance, std::abs(Rise / image - 1.0));
     for (const AzimuthAxes axes : { AzimuthAxes::Ground, AzimuthAxes::Image })
     {
-      this->Highest(place, column, row, towerColumn, towerRow, 0, Rise * tip, tipTowards, axes, worst,
-        found);
+      this->Highest(
+        place, column, row, towerColumn, towerRow, 0, Rise * tip, tipTowards, axes, worst, found);
       worst.Azimuth = std::max(worst.Azimuth, std::abs(found));
     }
   }
 
   /// The highest slope about a true azimuth, without curvature, and where it lies (degrees from there).
-  float Highest(const Georeference& place, int column, int row, int towerColumn, int towerRow, int half,
-    double height, double trueAzimuth, AzimuthAxes axes, Worst& worst, double& found)
+  float Highest(const Georeference& place, int column, int row, int towerColumn, int towerRow,
+    int half, double height, double trueAzimuth, AzimuthAxes axes, Worst& worst, double& found)
   {
     vtkNew<vtkFloatArray> heights;
     heights->SetName("Elevation");
@@ -273,7 +274,8 @@ private:
     heights->FillValue(0.0f);
     for (int r = std::max(0, towerRow - half); r <= std::min(Posts - 1, towerRow + half); ++r)
     {
-      for (int c = std::max(0, towerColumn - half); c <= std::min(Posts - 1, towerColumn + half); ++c)
+      for (int c = std::max(0, towerColumn - half); c <= std::min(Posts - 1, towerColumn + half);
+           ++c)
       {
         heights->SetValue(r * Posts + c, static_cast<float>(height));
       }
@@ -305,8 +307,8 @@ private:
     const double place0 = static_cast<double>(first - post.Slopes.begin());
     const double place1 = static_cast<double>(post.Slopes.rend() - final - 1);
     found = (0.5 * (place0 + place1) - Turns) * Turn;
-    worst.Rays =
-      std::max(worst.Rays, RayFan(scene.Ground(), from, axes == AzimuthAxes::Image, true).Directions.size());
+    worst.Rays = std::max(
+      worst.Rays, RayFan(scene.Ground(), from, axes == AzimuthAxes::Image, true).Directions.size());
     return *highest;
   }
 
@@ -332,7 +334,8 @@ TEST_P(OnMaps, DistancesAndAzimuthsAreThoseOfGeodesics)
 std::string NameOf(const ::testing::TestParamInfo<GroundCase>& info)
 {
   std::string name = info.param.Name;
-  name.erase(std::remove_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }),
+  name.erase(std::remove_if(name.begin(), name.end(),
+               [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }),
     name.end());
   return name;
 }

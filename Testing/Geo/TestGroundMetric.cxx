@@ -99,11 +99,14 @@ TEST(GroundMetric, ImageAzimuthsToTheGround)
 
 TEST(GroundMetric, TrueMapsAreTakenAtTheirWord)
 {
-  EXPECT_TRUE(GroundMetric(OnMap(Utm(9.0), -3e5, 4e6, 600.0, 1000.0, 1001, 1001), { 600.0, 1000.0 }).Uniform());
+  EXPECT_TRUE(GroundMetric(OnMap(Utm(9.0), -3e5, 4e6, 600.0, 1000.0, 1001, 1001), { 600.0, 1000.0 })
+                .Uniform());
   // 10 degrees from its meridian UTM stretches by 0.5 %.
-  EXPECT_FALSE(GroundMetric(OnMap(Utm(9.0), 7e5, 5e6, 600.0, 600.0, 101, 101), { 600.0, 600.0 }).Uniform());
+  EXPECT_FALSE(
+    GroundMetric(OnMap(Utm(9.0), 7e5, 5e6, 600.0, 600.0, 101, 101), { 600.0, 600.0 }).Uniform());
   EXPECT_TRUE(GroundMetric(Georeference(), { 3.0, 4.0 }).Uniform());
-  EXPECT_TRUE(GroundMetric(OnMap(Utm(9.0), 1e5, 5e6, 1e-6, 1e-6, 101, 101), { 1e-6, 1e-6 }).Uniform());
+  EXPECT_TRUE(
+    GroundMetric(OnMap(Utm(9.0), 1e5, 5e6, 1e-6, 1e-6, 101, 101), { 1e-6, 1e-6 }).Uniform());
 }
 
 TEST(GroundMetric, ErrorIsTheWorstOfAllDirections)
@@ -159,8 +162,8 @@ TEST(GroundMetric, RefusesMapsWithoutLengths)
     longitude = -x / 1e5;
     latitude = y / 1e5 + 0.1 * std::sin(x / 1e4);
   };
-  EXPECT_THROW(
-    GroundMetric(OnMap(folded, 1e5, 1e6, 500.0, 500.0, 101, 101), { 500.0, 500.0 }), std::invalid_argument);
+  EXPECT_THROW(GroundMetric(OnMap(folded, 1e5, 1e6, 500.0, 500.0, 101, 101), { 500.0, 500.0 }),
+    std::invalid_argument);
   Georeference place;
   place.Columns = place.Rows = 3;
   place.RowSpacingX = place.RowSpacingY = { 1.0, 2.0 };
@@ -175,7 +178,8 @@ TEST(RayFan, RaysStayBesideTheirAzimuth)
   for (const double azimuth : { 0.0, 35.0, 90.0, 201.0, 300.0 })
   {
     const RayFan fan(metric, azimuth, false, true);
-    EXPECT_EQ(fan.Directions.size() > 3, azimuth != 0.0); // rows run along the +y axis by definition
+    EXPECT_EQ(
+      fan.Directions.size() > 3, azimuth != 0.0); // rows run along the +y axis by definition
     std::vector<float> directions(801), lengths(801);
     for (const std::ptrdiff_t row : { 0, 77, 300, 600 })
     {
@@ -192,7 +196,8 @@ TEST(RayFan, RaysStayBesideTheirAzimuth)
           const double angle = fan.Directions[ray] * RadiansPerDegree;
           const double columns = std::sin(angle) / used.X;
           const double rows = (std::cos(angle) - used.Shear * columns) / used.Y;
-          const double found = std::atan2(post.X * columns, post.Shear * columns + post.Y * rows) * DegreesPerRadian;
+          const double found =
+            std::atan2(post.X * columns, post.Shear * columns + post.Y * rows) * DegreesPerRadian;
           const double off = Turn(found, azimuth);
           EXPECT_LT(std::abs(off), AzimuthTolerance);
           mean += off * (k ? directions[column] - below : 1.0f - (directions[column] - below));

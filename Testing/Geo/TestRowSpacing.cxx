@@ -193,7 +193,8 @@ TEST(RowSpacing, RefusesStepsAroundTheBodyOrTooSmallToMeasure)
   for (const double step : { 200.0, 360.0, 720.0, 1e-320 })
   {
     Georeference place = OnMap(Geographic, 0.0, 0.0, step, 0.1, 3, 3);
-    EXPECT_THROW(ComputeRowSpacing(place, step, 0.1, StepUnit::Degrees), std::invalid_argument) << step;
+    EXPECT_THROW(ComputeRowSpacing(place, step, 0.1, StepUnit::Degrees), std::invalid_argument)
+      << step;
   }
 }
 

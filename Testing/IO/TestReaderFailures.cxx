@@ -202,6 +202,17 @@ TEST(ReaderFailures, NoPlaceOnTheBody)
   ExpectRefusal(recipe, "has no place");
 }
 
+// Goode's map is torn along 40 degrees west north of the equator and along 20 degrees west south of it.
+TEST(ReaderFailures, TornMap)
+{
+  Recipe recipe;
+  recipe.Crs = "+proj=igh +datum=WGS84 +units=m +type=crs";
+  recipe.Transform = { -2900000, 10000, 0, -40000, 0, -10000 };
+  recipe.Columns = 120;
+  recipe.Lines = 30;
+  ExpectRefusal(recipe, "cut the raster to");
+}
+
 TEST(ReaderFailures, CrsWithoutCorners)
 {
   Recipe recipe;

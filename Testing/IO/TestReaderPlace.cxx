@@ -187,14 +187,16 @@ TEST(ReaderPlace, MarsHasItsOwnEllipsoid)
     "PARAMETER[\"False northing\",0,LENGTHUNIT[\"metre\",1]]],CS[Cartesian,2],"
     "AXIS[\"(E)\",east,ORDER[1],LENGTHUNIT[\"metre\",1]],"
     "AXIS[\"(N)\",north,ORDER[2],LENGTHUNIT[\"metre\",1]]]";
-  // Gale crater: 4.6 S, 137.4 E. True spacing within 2 % of the map's, so that counts.
+  // Gale crater: 4.6 S, 137.4 E. Along a parallel the map is 0.3 % too long, so the true length counts.
   const auto image = ReadAt(crs, { 8144000, 100, 0, -272000, 0, -100 });
   const Georeference place = skyline::LoadGeoreference(image);
   EXPECT_FALSE(place.Earth);
   EXPECT_EQ(place.EquatorialRadius, 3396190.0);
   EXPECT_NEAR(1.0 / place.Flattening, 169.894447223612, 1e-9);
-  EXPECT_EQ(image->GetSpacing()[0], 100.0);
   double longitude = 0.0, latitude = 0.0;
+  place.LonLatAt(2, 2, longitude, latitude);
+  ExpectRelative(image->GetSpacing()[0],
+    100.0 * ParallelRadius(place, latitude) / place.EquatorialRadius, SpacingTolerance);
   place.LonLatAt(0, 4, longitude, latitude);
   const double degree = 3396190.0 * RadiansPerDegree;
   EXPECT_NEAR(longitude, 8144050.0 / degree, 1e-9);
@@ -268,6 +270,52 @@ TEST(ReaderPlace, AlbersConvergence)
   const double n = 0.5 * (std::sin(29.5 * RadiansPerDegree) + std::sin(45.5 * RadiansPerDegree));
   EXPECT_NEAR(place.ConvergenceAt(2.5, 2.5), n * (longitude + 96.0), 0.02);
   EXPECT_NEAR(std::abs(place.ConvergenceAt(2.5, 2.5)), 14.0, 1.0);
+}
+
+// Degrees of a rotated pole: columns are as far apart as the rotated latitude says, not the true one.
+TEST(ReaderPlace, RotatedPole)
+{
+  const std::string crs =
+    "GEOGCRS[\"Rotated_pole\",BASEGEOGCRS[\"base\",DATUM[\"d\",ELLIPSOID[\"Sphere\",6371229,0,"
+    "LENGTHUNIT[\"metre\",1]]],PRIMEM[\"Greenwich\",0,ANGLEUNIT[\"degree\",0.0174532925199433]]],"
+    "DERIVINGCONVERSION[\"Pole rotation (netCDF CF convention)\","
+    "METHOD[\"Pole rotation (netCDF CF convention)\"],"
+    "PARAMETER[\"Grid north pole latitude (netCDF CF convention)\",39.25,"
+    "ANGLEUNIT[\"degree\",0.0174532925199433]],"
+    "PARAMETER[\"Grid north pole longitude (netCDF CF convention)\",198,"
+    "ANGLEUNIT[\"degree\",0.0174532925199433]],"
+    "PARAMETER[\"North pole grid longitude (netCDF CF convention)\",0,"
+    "ANGLEUNIT[\"degree\",0.0174532925199433]]],CS[ellipsoidal,2],"
+    "AXIS[\"latitude\",north,ORDER[1],ANGLEUNIT[\"degree\",0.0174532925199433]],"
+    "AXIS[\"longitude\",east,ORDER[2],ANGLEUNIT[\"degree\",0.0174532925199433]]]";
+  // A GeoTIFF cannot hold it; a virtual raster can.
+  std::string escaped = crs;
+  for (std::size_t at = 0; (at = escaped.find('"', at)) != std::string::npos;)
+  {
+    escaped.replace(at, 1, "&quot;");
+  }
+  const auto image = Read("<VRTDataset rasterXSize=\"21\" rasterYSize=\"21\"><SRS>" + escaped +
+    "</SRS><GeoTransform>-10.105,0.01,0,20.105,0,-0.01</GeoTransform>"
+    "<VRTRasterBand dataType=\"Byte\" band=\"1\"/></VRTDataset>")
+                       ->GetOutput();
+  const Georeference place = skyline::LoadGeoreference(image);
+  EXPECT_TRUE(place.InDegrees);
+  EXPECT_TRUE(place.RowSpacingX.empty());
+  const double step = 6371229.0 * 0.01 * RadiansPerDegree;
+  ExpectRelative(image->GetSpacing()[1], step, SpacingTolerance);
+  ExpectRelative(
+    image->GetSpacing()[0], step * std::cos(20.0 * RadiansPerDegree), SpacingTolerance);
+}
+
+// Krovak with axes south and west: seen from above, the file's columns run the other way round.
+TEST(ReaderPlace, MirroredAxesAreTurned)
+{
+  const auto image = ReadAt("EPSG:5513", { 1040000, 10, 0, 870000, 0, -10 });
+  const Georeference place = skyline::LoadGeoreference(image);
+  const skyline::PostSteps steps = place.StepsAt(2, 2);
+  EXPECT_GT(steps.EastPerColumn * steps.NorthPerRow, steps.EastPerRow * steps.NorthPerColumn);
+  EXPECT_EQ(HeightAt(image, 0, 4), 4.0); // the first line's last
+  EXPECT_LT(place.GeoTransform[1], 0.0);
 }
 
 // A compound CRS: its horizontal part places the posts, all of it is kept.
