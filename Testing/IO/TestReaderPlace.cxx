@@ -294,10 +294,11 @@ TEST(ReaderPlace, RotatedPole)
   {
     escaped.replace(at, 1, "&quot;");
   }
-  const auto image = Read("<VRTDataset rasterXSize=\"21\" rasterYSize=\"21\"><SRS>" + escaped +
-    "</SRS><GeoTransform>-10.105,0.01,0,20.105,0,-0.01</GeoTransform>"
-    "<VRTRasterBand dataType=\"Byte\" band=\"1\"/></VRTDataset>")
-                       ->GetOutput();
+  const vtkSmartPointer<vtkImageData> image =
+    Read("<VRTDataset rasterXSize=\"21\" rasterYSize=\"21\"><SRS>" + escaped +
+      "</SRS><GeoTransform>-10.105,0.01,0,20.105,0,-0.01</GeoTransform>"
+      "<VRTRasterBand dataType=\"Byte\" band=\"1\"/></VRTDataset>")
+      ->GetOutput();
   const Georeference place = skyline::LoadGeoreference(image);
   EXPECT_TRUE(place.InDegrees);
   EXPECT_TRUE(place.RowSpacingX.empty());
