@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HorizonScene.h"
 
+#include "BaseHeight.h"
 #include "HeightPyramid.h"
 #include "MemoryDemand.h"
 #include "Normals.h"
@@ -59,6 +60,12 @@ std::uint64_t Mixed(std::uint64_t sum, std::uint64_t value)
   return product ^ (product >> 32);
 }
 
+// A height as surfaces know it; missing ones stay what they are.
+double Known(double height)
+{
+  return std::isfinite(height) ? std::clamp(height, -GreatestHeight, GreatestHeight) : height;
+}
+
 // Calls f(height) with a height(column, row) that reads the array in its own type.
 template <typename Function>
 void WithHeights(vtkDataArray* array, std::ptrdiff_t columns, Function&& function)
@@ -67,7 +74,7 @@ void WithHeights(vtkDataArray* array, std::ptrdiff_t columns, Function&& functio
   {
     const auto values = vtk::DataArrayValueRange<1>(typed);
     function([values, columns](std::ptrdiff_t column, std::ptrdiff_t row)
-      { return static_cast<double>(values[vtkIdType{ row } * columns + column]); });
+      { return Known(static_cast<double>(values[vtkIdType{ row } * columns + column])); });
   };
   if (!vtkArrayDispatch::Dispatch::Execute(array, worker))
   {
@@ -111,10 +118,11 @@ HorizonScene::HorizonScene(vtkImageData* image, vtkDataArray* heights, const Opt
   {
     throw std::invalid_argument("no surface: every post is missing");
   }
-  this->Mean = range[0] + 0.5 * (range[1] - range[0]);
   WithHeights(heights, grid.Columns,
     [&](const auto& height)
     {
+      this->Mean = BaseHeight(grid.Columns * grid.Rows, range[0], range[1],
+        [&](std::ptrdiff_t post) { return height(post % grid.Columns, post / grid.Columns); });
       vtkSMPTools::For(0, grid.Rows,
         [&](vtkIdType begin, vtkIdType end) { this->Field.Fill(begin, end, this->Mean, height); });
     });
