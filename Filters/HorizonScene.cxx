@@ -358,6 +358,25 @@ void HorizonScene::BlankMissing(vtkFloatArray* array) const
   }
 }
 
+std::ptrdiff_t HorizonScene::CountNotFinite(vtkFloatArray* array) const
+{
+  const std::ptrdiff_t components = array->GetNumberOfComponents();
+  const float* post = array->GetPointer(0);
+  std::ptrdiff_t count = 0;
+  std::vector<float> buffer;
+  for (std::ptrdiff_t row = 0; row < this->Posts().Rows; ++row)
+  {
+    const float* heights = this->Field.Receivers(false, row, buffer);
+    for (std::ptrdiff_t column = 0; column < this->Posts().Columns; ++column, post += components)
+    {
+      const bool finite =
+        std::all_of(post, post + components, [](float value) { return std::isfinite(value); });
+      count += finite || heights[column] <= 0.5f * MissingHeight ? 0 : 1;
+    }
+  }
+  return count;
+}
+
 bool HorizonScene::TakesColumns(const std::vector<double>& azimuths) const
 {
   Grid grid = this->Field.Posts();

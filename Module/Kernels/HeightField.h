@@ -72,7 +72,7 @@ public:
   HeightField(const Grid& grid);
 
   /// Copies rows [rowBegin, rowEnd) of posts less `base`; height(column, row) is a double, NaN or
-  /// infinite where missing, at most GreatestHeight from 0. Disjoint ranges may be filled by different threads.
+  /// infinite where missing, else within GreatestHeight. Disjoint ranges may be filled at once.
   template <typename Height>
   void Fill(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd, double base, const Height& height)
   {
