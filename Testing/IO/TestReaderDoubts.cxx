@@ -228,6 +228,49 @@ TEST(ReaderDoubts, HeightsOfAMapInFeet)
   EXPECT_EQ(WarningsOf(Make(recipe)), "");
 }
 
+// The third axis of a CRS of three dimensions, projected and geographic.
+TEST(ReaderDoubts, HeightsInFeetOfThreeDimensions)
+{
+  for (const char* name : { "EPSG:32610", "EPSG:4326" })
+  {
+    OGRSpatialReference crs = CrsFrom(name);
+    ASSERT_EQ(crs.PromoteTo3D(nullptr), OGRERR_NONE);
+    const char* const options[] = { "FORMAT=WKT2_2019", nullptr };
+    char* text = nullptr;
+    crs.exportToWkt(&text, options);
+    std::string wkt = text;
+    CPLFree(text);
+    const std::size_t metre = wkt.find("LENGTHUNIT[\"metre\",1]", wkt.find("ellipsoidal height"));
+    ASSERT_NE(metre, std::string::npos) << wkt;
+    wkt.replace(metre, std::string("LENGTHUNIT[\"metre\",1]").size(), "LENGTHUNIT[\"foot\",0.3048]");
+    GDALAllRegister();
+    Recipe recipe = HillsWith(0.0, 0);
+    recipe.Crs = wkt;
+    if (name == std::string("EPSG:4326"))
+    {
+      recipe.Transform = { -120, 0.001, 0, 40, 0, -0.001 };
+    }
+    // In memory: a GeoTIFF of older libraries forgets the third axis.
+    GDALDataset* dataset = GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+      "/vsimem/posts.tif", 20, 20, 1, GDT_Float32, nullptr);
+    Recipe bare = HillsWith(0.0, 0);
+    bare.Crs = "";
+    Fill(dataset, bare);
+    auto* source = GDALDataset::Open("/vsimem/posts.tif", GDAL_OF_RASTER);
+    GDALDataset* copy = GetGDALDriverManager()->GetDriverByName("VRT")->CreateCopy(
+      "/vsimem/three.vrt", source, FALSE, nullptr, nullptr, nullptr);
+    const OGRSpatialReference three = CrsFrom(wkt);
+    copy->SetSpatialRef(&three);
+    copy->SetGeoTransform(recipe.Transform.data());
+    GDALClose(copy);
+    GDALClose(source);
+    vtkNew<vtkHeightFieldReader> reader;
+    reader->SetFileName("/vsimem/three.vrt");
+    EXPECT_EQ(WarningsOf(reader), "");
+    EXPECT_NEAR(HeightAt(reader->GetOutput(), 10, 0), 0.3048 * Hill(10, 19), 1e-3) << name;
+  }
+}
+
 TEST(ReaderDoubts, UnitsThatContradict)
 {
   Recipe recipe = HillsWith(0.0, 0);
