@@ -2,6 +2,7 @@
 #include "HorizonScene.h"
 
 #include "BaseHeight.h"
+#include "HeightLimits.h"
 #include "HeightPyramid.h"
 #include "MemoryDemand.h"
 #include "Normals.h"
@@ -60,10 +61,10 @@ std::uint64_t Mixed(std::uint64_t sum, std::uint64_t value)
   return product ^ (product >> 32);
 }
 
-// A height as surfaces know it; missing ones stay what they are.
+// A height, or NaN where a number is none.
 double Known(double height)
 {
-  return std::isfinite(height) ? std::clamp(height, -GreatestHeight, GreatestHeight) : height;
+  return std::abs(height) <= GreatestHeight ? height : std::numeric_limits<double>::quiet_NaN();
 }
 
 // Calls f(height) with a height(column, row) that reads the array in its own type.

@@ -380,10 +380,17 @@ bool RasterSource::Convert(
         heights[i] = std::numeric_limits<T>::quiet_NaN();
         continue;
       }
-      heights[i] = static_cast<T>(static_cast<double>(raw) * this->Scale + this->Offset);
+      census.Add(static_cast<double>(raw));
+      const double height = static_cast<double>(raw) * this->Scale + this->Offset;
+      const bool ground = std::abs(height) <= GreatestHeight;
+      heights[i] = ground ? static_cast<T>(height) : std::numeric_limits<T>::quiet_NaN();
+      any = any || ground;
     }
-    any = true;
-    census.Add(static_cast<double>(raw));
+    else
+    {
+      census.Add(static_cast<double>(raw));
+      any = true;
+    }
   }
   return any;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HeightCensus.h"
 
+#include "HeightLimits.h"
+
 #include <algorithm>
 #include <charconv>
 
@@ -14,8 +16,8 @@ namespace
 /// body, Iapetus' ridge and Vesta's basin included, is about 20 km from foot to top.
 constexpr double FarApart = 20000.0;
 
-/// Heights beyond this many metres are no ground's, whatever stands beside them.
-constexpr double NoGround = 1.0e12;
+/// Metres of relief that no solid body has: Vesta, the greatest known, has 41 km.
+constexpr double NoRelief = 1.0e5;
 
 /// Part of the rest's range by which a value of FillValue must lie apart.
 constexpr double Apart = 0.1;
@@ -63,7 +65,7 @@ bool FillValue(double value)
   constexpr std::array<double, 9> ends{ { -32768.0, -32767.0, 32767.0, 65535.0, -2147483648.0,
     -2147483647.0, 2147483647.0, 4294967295.0, -9223372036854775808.0 } };
   return AllNines(std::abs(value)) || PowerOfTen(-value) ||
-    std::find(ends.begin(), ends.end(), value) != ends.end() || std::abs(value) > NoGround;
+    std::find(ends.begin(), ends.end(), value) != ends.end();
 }
 
 std::string Posts(std::int64_t count, const std::string& subject)
@@ -143,14 +145,20 @@ HeightCensus::Findings HeightCensus::Judge(
   const auto add = [&](const Value& value, const std::string& why)
   {
     const std::string text = Text(value.Height, single);
-    findings.Doubts.push_back({ Posts(value.Posts, subject) + " the height " + text + ", " + why,
-      value.Posts == 1 ? "this is a height" : "these are heights", "--nodata " + text });
+    const bool one = value.Posts == 1;
+    const char* const use = std::abs(value.Height) * metres > GreatestHeight
+      ? (one ? "this is a missing post" : "these are missing posts")
+      : (one ? "this is a height" : "these are heights");
+    findings.Doubts.push_back(
+      { Posts(value.Posts, subject) + " the height " + text + ", " + why, use, "--nodata " + text });
   };
   const std::string missing = "which often stands for a missing post";
 
   // From both ends inwards, as long as the value there is doubtful and others are left.
   std::size_t low = 0, high = 0;
-  bool left = this->Count > 0;
+  bool left = true;
+  bool any = this->Count > 0;
+  bool fillsOnly = true; // first: what is left may then be seen not to be far apart
   std::vector<double> doubted;
   const auto judge = [&](const End& end, std::size_t& first, double far, bool atLow)
   {
@@ -159,7 +167,8 @@ HeightCensus::Findings HeightCensus::Judge(
     if (far == value.Height)
     {
       left = false;
-      why = FillValue(value.Height) ? missing : "";
+      any = !FillValue(value.Height) && std::abs(value.Height) * metres <= GreatestHeight;
+      why = any ? "" : missing;
     }
     else if (first + 1 < Kept)
     {
@@ -173,11 +182,11 @@ HeightCensus::Findings HeightCensus::Judge(
         (std::abs(value.Height) > 1000.0 || gap >= range);
       const bool zero =
         clear && value.Height == 0.0 && varied && gap * metres >= ClearOfZero;
-      if (fill || zero || std::abs(value.Height) > NoGround)
+      if (fill || zero || std::abs(value.Height) * metres > GreatestHeight)
       {
         why = missing;
       }
-      else if (gap * metres >= FarApart && gap >= range)
+      else if (!fillsOnly && gap * metres >= FarApart && gap >= range)
       {
         why = std::string("far ") + (atLow ? "below" : "above") + " all others (" +
           Text(std::min(next, far), single) + " to " + Text(std::max(next, far), single) + ")";
@@ -192,10 +201,18 @@ HeightCensus::Findings HeightCensus::Judge(
     ++first;
     return true;
   };
-  while (left &&
-    (judge(this->Low, low, this->High.Values[high].Height, true) ||
-      (left && judge(this->High, high, this->Low.Values[low].Height, false))))
+  const auto judgeEnds = [&]
   {
+    return (left && judge(this->Low, low, this->High.Values[high].Height, true)) ||
+      (left && judge(this->High, high, this->Low.Values[low].Height, false));
+  };
+  for (const bool fills : { true, false })
+  {
+    fillsOnly = fills;
+    left = any;
+    while (low < Kept && high < Kept && judgeEnds())
+    {
+    }
   }
 
   for (std::size_t i = 0; i < Watched.size(); ++i)
@@ -212,6 +229,14 @@ HeightCensus::Findings HeightCensus::Judge(
   findings.Lowest = this->Low.Values[std::min(low, Kept - 1)].Height;
   findings.Highest = this->High.Values[std::min(high, Kept - 1)].Height;
   findings.Any = this->Count > 0 && findings.Lowest <= findings.Highest;
+  if (findings.Any && findings.Doubts.empty() &&
+    (findings.Highest - findings.Lowest) * metres > NoRelief)
+  {
+    findings.Doubts.push_back({ "the heights of " + subject + " reach from " +
+        Text(findings.Lowest * metres, true) + " to " + Text(findings.Highest * metres, true) +
+        " m, more than any body has",
+      "they are heights in metres", "another unit (gdal_edit.py -units)" });
+  }
   return findings;
 }
 

@@ -6,9 +6,8 @@
 namespace skyline
 {
 
-/// Greatest height of a post that surfaces know, metres: one beyond, of either sign, stands there. Its
-/// square still is a finite float, and it hides nothing that ground hides less: seen from 1e7 m it stands
-/// at 89.9994 degrees.
+/// Greatest height of ground, metres, of either sign: a number beyond it is no height, and its post is
+/// missing. The square of this one still is a finite float.
 constexpr double GreatestHeight = 1.0e12;
 
 /// Metres between posts.

@@ -123,6 +123,16 @@ TEST(ReaderDoubts, TerrainIsNotDoubted)
   quiet("flat", [](int, int) { return 0.0; });
 }
 
+TEST(ReaderDoubts, ReliefOfNoBody)
+{
+  Recipe recipe = HillsWith(0.0, 0, GDT_Int32);
+  recipe.Value = [](int i, int j) { return 15000.0 * (i + j); }; // millimetres
+  Expect(WarningsOf(Make(recipe)), "reach from 0 to 5.7e+05 m, more than any body has; assuming they "
+                                   "are heights in metres; use another unit");
+  recipe.Unit = "mm";
+  EXPECT_EQ(WarningsOf(Make(recipe)), "");
+}
+
 TEST(ReaderDoubts, FillAmongHeights)
 {
   Recipe recipe = HillsWith(0.0, 0, GDT_Int16);
