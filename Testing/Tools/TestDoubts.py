@@ -111,7 +111,11 @@ class Doubts(ToolTest):
 
     def test_other_places(self):
         dem = make(self.path("dem.tif"), hills(20, 20), epsg=UTM10)
-        self.place(dem, "RPC", {"LINE_OFF": "1", "SAMP_OFF": "1", "LAT_OFF": "46", "LONG_OFF": "-123"})
+        numbers = ["LINE_OFF", "SAMP_OFF", "LAT_OFF", "LONG_OFF", "HEIGHT_OFF", "LINE_SCALE",
+                   "SAMP_SCALE", "LAT_SCALE", "LONG_SCALE", "HEIGHT_SCALE"]
+        lists = ["LINE_NUM_COEFF", "LINE_DEN_COEFF", "SAMP_NUM_COEFF", "SAMP_DEN_COEFF"]
+        self.place(dem, "RPC", {**{name: "1" for name in numbers},
+                                **{name: " ".join(["1"] * 20) for name in lists}})
         self.refused(1, "horizon", dem, "-o", self.path("out.tif"), says="gdalwarp -rpc")
         self.place(dem, "GEOLOCATION", {"X_DATASET": "x.tif", "Y_DATASET": "y.tif", "X_BAND": "1"})
         self.refused(1, "horizon", dem, "-o", self.path("out.tif"), says="gdalwarp -geoloc")
