@@ -83,7 +83,7 @@ public:
 
   const HorizonSettings& UsedSettings() const { return this->Settings; }
   const std::vector<RowBand>& BandsOfRows() const { return this->Bands; } ///< one spacing each
-  double MeanHeight() const { return this->Mean; } ///< metres: BaseHeight.h
+  double MeanHeight() const { return this->Mean; }                        ///< metres: BaseHeight.h
 
   double PrepareSeconds = 0.0, SearchSeconds = 0.0; ///< of all runs
   int PyramidBuilds = 0;

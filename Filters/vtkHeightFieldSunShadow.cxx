@@ -71,8 +71,8 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
   }
   else
   {
-    const skyline::SunDisc disc{ std::fmod(this->SunAzimuth, 360.0) * radians, this->SunElevation * radians,
-      radius * radians };
+    const skyline::SunDisc disc{ std::fmod(this->SunAzimuth, 360.0) * radians,
+      this->SunElevation * radians, radius * radians };
     finished = run(skyline::SunAccumulator(posts.Columns, posts.Rows, disc, buffer, darkening));
   }
   if (finished)

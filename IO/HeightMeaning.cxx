@@ -107,14 +107,16 @@ void DoubtDirection(GDALRasterBand& band, const CoordinateSystem& crs, double sc
   const bool depth = standard.find("depth") != std::string::npos;
   if (scale > 0.0 && (down || depth || crs.CountsDepths()))
   {
-    doubts.push_back({ std::string(down ? "the metadata" : depth ? "the standard name" : "the CRS") +
+    doubts.push_back({ std::string(down ? "the metadata"
+                           : depth      ? "the standard name"
+                                        : "the CRS") +
         " of '" + file + "' says that its values are depths",
       "heights that count upwards", "gdal_edit.py -scale -1" });
   }
 }
 
-void DoubtPicture(GDALDataset& dataset, GDALRasterBand& band, const std::string& file,
-  std::vector<Doubt>& doubts)
+void DoubtPicture(
+  GDALDataset& dataset, GDALRasterBand& band, const std::string& file, std::vector<Doubt>& doubts)
 {
   std::string part;
   switch (band.GetColorInterpretation())

@@ -225,8 +225,9 @@ void RasterSource::RefuseOtherPlaces() const
   }
   if (this->Dataset->GetMetadata("GEOLOCATION"))
   {
-    this->Refuse("it is placed by arrays of coordinates (curvilinear); warp it to a north-up raster "
-                 "(gdalwarp -geoloc)");
+    this->Refuse(
+      "it is placed by arrays of coordinates (curvilinear); warp it to a north-up raster "
+      "(gdalwarp -geoloc)");
   }
 }
 
@@ -470,8 +471,8 @@ void RasterSource::ReadAs(const PostWindow& window, T* heights, const ProgressFu
     }
 
     const std::size_t count = columns * static_cast<std::size_t>(rows);
-    anyHeight = this->Convert(strip.data(), this->HasMask ? mask.data() : nullptr, count, missing,
-                  census) ||
+    anyHeight =
+      this->Convert(strip.data(), this->HasMask ? mask.data() : nullptr, count, missing, census) ||
       anyHeight;
     for (int line = 0; line < rows; ++line)
     {

@@ -34,8 +34,7 @@ class RasterSource
 public:
   /// Opens `file` (anything GDAL opens) and looks at its band `band` (from 1). furtherNodata: values of
   /// missing posts besides the one that the file declares, as the band has them (before scale and unit).
-  RasterSource(
-    const std::string& file, int band, const std::vector<double>& furtherNodata = {});
+  RasterSource(const std::string& file, int band, const std::vector<double>& furtherNodata = {});
 
   PostWindow GetWhole() const { return { 0, 0, this->Columns, this->Rows }; }
 

@@ -41,7 +41,8 @@ vtkSmartPointer<vtkDataArray> Allocate(
     if (heights->GetNumberOfTuples() != posts || !heights->GetVoidPointer(0))
     {
       // The system promised less than was asked for.
-      skyline::DemandMemory("the heights", window.Columns, window.Rows, heights->GetDataTypeSize(), 0);
+      skyline::DemandMemory(
+        "the heights", window.Columns, window.Rows, heights->GetDataTypeSize(), 0);
     }
     return heights;
   }

@@ -32,7 +32,8 @@ double BaseHeight(std::ptrdiff_t count, double lowest, double highest, const Hei
     return middle;
   }
   constexpr std::ptrdiff_t wanted = 1 << 16;
-  const std::ptrdiff_t step = std::max<std::ptrdiff_t>(1, count / wanted) | 1; // odd: across columns
+  const std::ptrdiff_t step =
+    std::max<std::ptrdiff_t>(1, count / wanted) | 1; // odd: across columns
   std::vector<double> sample;
   for (std::ptrdiff_t i = 0; i < count; i += step)
   {

@@ -131,8 +131,7 @@ void HeightCensus::Note(double height)
     for (std::size_t i = 0; i < Watched.size(); ++i)
     {
       this->AtWatched[i] += height == Watched[i] ? 1 : 0;
-      this->NearWatched[i] +=
-        height != Watched[i] && std::abs(height - Watched[i]) <= Near ? 1 : 0;
+      this->NearWatched[i] += height != Watched[i] && std::abs(height - Watched[i]) <= Near ? 1 : 0;
     }
   }
 }
@@ -149,8 +148,8 @@ HeightCensus::Findings HeightCensus::Judge(
     const char* const use = std::abs(value.Height) * metres > GreatestHeight
       ? (one ? "this is a missing post" : "these are missing posts")
       : (one ? "this is a height" : "these are heights");
-    findings.Doubts.push_back(
-      { Posts(value.Posts, subject) + " the height " + text + ", " + why, use, "--nodata " + text });
+    findings.Doubts.push_back({ Posts(value.Posts, subject) + " the height " + text + ", " + why,
+      use, "--nodata " + text });
   };
   const std::string missing = "which often stands for a missing post";
 
@@ -180,8 +179,7 @@ HeightCensus::Findings HeightCensus::Judge(
         end.Size == Kept && first + 2 < Kept && end.Values[Kept - 1].Height != far;
       const bool fill = clear && FillValue(value.Height) && gap * metres >= LeastApart &&
         (std::abs(value.Height) > 1000.0 || gap >= range);
-      const bool zero =
-        clear && value.Height == 0.0 && varied && gap * metres >= ClearOfZero;
+      const bool zero = clear && value.Height == 0.0 && varied && gap * metres >= ClearOfZero;
       if (fill || zero || std::abs(value.Height) * metres > GreatestHeight)
       {
         why = missing;
@@ -218,8 +216,7 @@ HeightCensus::Findings HeightCensus::Judge(
   for (std::size_t i = 0; i < Watched.size(); ++i)
   {
     const bool told = std::find(doubted.begin(), doubted.end(), Watched[i]) != doubted.end();
-    if (!told && this->AtWatched[i] >= ManyPosts &&
-      this->AtWatched[i] > this->NearWatched[i])
+    if (!told && this->AtWatched[i] >= ManyPosts && this->AtWatched[i] > this->NearWatched[i])
     {
       add({ Watched[i], this->AtWatched[i] }, missing);
     }
@@ -232,10 +229,10 @@ HeightCensus::Findings HeightCensus::Judge(
   if (findings.Any && findings.Doubts.empty() &&
     (findings.Highest - findings.Lowest) * metres > NoRelief)
   {
-    findings.Doubts.push_back({ "the heights of " + subject + " reach from " +
-        Text(findings.Lowest * metres, true) + " to " + Text(findings.Highest * metres, true) +
-        " m, more than any body has",
-      "they are heights in metres", "another unit (gdal_edit.py -units)" });
+    findings.Doubts.push_back(
+      { "the heights of " + subject + " reach from " + Text(findings.Lowest * metres, true) +
+          " to " + Text(findings.Highest * metres, true) + " m, more than any body has",
+        "they are heights in metres", "another unit (gdal_edit.py -units)" });
   }
   return findings;
 }

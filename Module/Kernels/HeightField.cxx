@@ -54,8 +54,8 @@ HeightField::HeightField(const Grid& grid)
     {
       std::array<char, 32> text{};
       std::snprintf(text.data(), text.size(), "%.6g", spacing);
-      throw std::invalid_argument("posts " + std::string(text.data()) +
-        " m apart; give a spacing from 1e-9 to 1e9 m");
+      throw std::invalid_argument(
+        "posts " + std::string(text.data()) + " m apart; give a spacing from 1e-9 to 1e9 m");
     }
   }
   this->Rows = PaddedPlane(grid.Rows, grid.Columns);

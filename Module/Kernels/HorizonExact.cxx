@@ -5,10 +5,9 @@
 #define HWY_TARGET_INCLUDE "Kernels/HorizonExact.cxx"
 #include "hwy/foreach_target.h"
 
+#include "BaseHeight.h"
 #include "FindTask.h"
 #include "HorizonExact.h"
-
-#include "BaseHeight.h"
 #include "RayWalk-inl.h"
 
 #include "hwy/highway.h"

@@ -52,7 +52,8 @@ public:
     : Root(std::string(SKYLINE_TEST_OUTPUT) + "/" + name)
   {
     std::filesystem::remove_all(this->Root);
-    this->Say("/proc/meminfo", "MemTotal: 32000000 kB\nMemAvailable: 16000000 kB\nSwapFree: 1000000 kB\n");
+    this->Say(
+      "/proc/meminfo", "MemTotal: 32000000 kB\nMemAvailable: 16000000 kB\nSwapFree: 1000000 kB\n");
   }
   void Say(const std::string& file, const std::string& text) const
   {

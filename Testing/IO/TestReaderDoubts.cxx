@@ -114,12 +114,14 @@ TEST(ReaderDoubts, TerrainIsNotDoubted)
   };
   quiet("hills", Hill);
   quiet("a coast", [](int i, int j) { return std::max(0.0, std::round(20.0 * i - 10.0 * j)); });
-  quiet("bathymetry", [](int i, int j) { return -10900.0 + i * 109.0 + j; }, GDT_Int16);
+  quiet(
+    "bathymetry", [](int i, int j) { return -10900.0 + i * 109.0 + j; }, GDT_Int16);
   quiet("an abyss whose lowest post is -9999", [](int i, int j) { return -9999.0 + i + j; });
   quiet("below the sea", [](int i, int j) { return -430.0 + 0.1 * i + 0.1 * j; });
   quiet("towers on a plain", [](int i, int j) { return i == 50 && j % 3 == 0 ? 100.0 : 0.0; });
   quiet("a mountain of Mars", [](int i, int j) { return 21229.0 - 2.0 * std::hypot(i - 50.0, j); });
-  quiet("heights of 1e7 m", [](int i, int j) { return 1e7 + 0.001 * (i + j); }, GDT_Float64);
+  quiet(
+    "heights of 1e7 m", [](int i, int j) { return 1e7 + 0.001 * (i + j); }, GDT_Float64);
   quiet("flat", [](int, int) { return 0.0; });
 }
 
@@ -127,8 +129,9 @@ TEST(ReaderDoubts, ReliefOfNoBody)
 {
   Recipe recipe = HillsWith(0.0, 0, GDT_Int32);
   recipe.Value = [](int i, int j) { return 15000.0 * (i + j); }; // millimetres
-  Expect(WarningsOf(Make(recipe)), "reach from 0 to 570000 m, more than any body has; assuming they "
-                                   "are heights in metres; use another unit");
+  Expect(WarningsOf(Make(recipe)),
+    "reach from 0 to 570000 m, more than any body has; assuming they "
+    "are heights in metres; use another unit");
   recipe.Unit = "mm";
   EXPECT_EQ(WarningsOf(Make(recipe)), "");
 }
@@ -181,8 +184,9 @@ TEST(ReaderDoubts, NodataIsDeclaredByTheUser)
 
 TEST(ReaderDoubts, NodataThatNoPostHas)
 {
-  Expect(WarningsOf(Make(HillsWith(0.0, 0)), { -9999.0 }), "no post of '/vsimem/made.tif' has the "
-                                                           "nodata value -9999; assuming");
+  Expect(WarningsOf(Make(HillsWith(0.0, 0)), { -9999.0 }),
+    "no post of '/vsimem/made.tif' has the "
+    "nodata value -9999; assuming");
 }
 
 TEST(ReaderDoubts, InfiniteNodataLeavesTheHeights)
@@ -202,8 +206,9 @@ TEST(ReaderDoubts, InfiniteNodataLeavesTheHeights)
 
 TEST(ReaderDoubts, NoGeotransform)
 {
-  Expect(WarningsOf(Make(Recipe())), "has no geotransform; assuming posts 1 m apart; use "
-                                     "gdal_edit.py -a_ullr to say otherwise");
+  Expect(WarningsOf(Make(Recipe())),
+    "has no geotransform; assuming posts 1 m apart; use "
+    "gdal_edit.py -a_ullr to say otherwise");
 }
 
 TEST(ReaderDoubts, DegreesWithoutCrs)
@@ -232,8 +237,9 @@ TEST(ReaderDoubts, HeightsOfAMapInFeet)
   Recipe recipe = HillsWith(0.0, 0);
   recipe.Crs = "EPSG:2263";
   recipe.Transform = { 1e6, 100, 0, 2e5, 0, -100 };
-  Expect(WarningsOf(Make(recipe)), "counts in units of 0.3048006096 m, and nothing says in which its "
-                                   "heights do; assuming heights in metres");
+  Expect(WarningsOf(Make(recipe)),
+    "counts in units of 0.3048006096 m, and nothing says in which its "
+    "heights do; assuming heights in metres");
   recipe.Unit = "m";
   EXPECT_EQ(WarningsOf(Make(recipe)), "");
 }
@@ -291,8 +297,9 @@ TEST(ReaderDoubts, UnitsThatContradict)
   recipe.Unit = "m";
   vtkNew<vtkHeightFieldReader> reader;
   reader->SetFileName(Make(recipe).c_str());
-  Expect(WarningsOf(reader), "are in 'm' by their band, and in units of 0.3048006096 m by their CRS; "
-                             "assuming the band's unit");
+  Expect(WarningsOf(reader),
+    "are in 'm' by their band, and in units of 0.3048006096 m by their CRS; "
+    "assuming the band's unit");
   EXPECT_NEAR(HeightAt(reader->GetOutput(), 10, 0), Hill(10, 19), 1e-3);
   recipe.Unit = "US survey foot";
   EXPECT_EQ(WarningsOf(Make(recipe)), "");
@@ -302,8 +309,9 @@ TEST(ReaderDoubts, Depths)
 {
   Recipe recipe = HillsWith(0.0, 0);
   recipe.Crs = "EPSG:32610+5715"; // MSL depth
-  Expect(WarningsOf(Make(recipe)), "the CRS of '/vsimem/made.tif' says that its values are depths; "
-                                   "assuming heights that count upwards; use gdal_edit.py -scale -1");
+  Expect(WarningsOf(Make(recipe)),
+    "the CRS of '/vsimem/made.tif' says that its values are depths; "
+    "assuming heights that count upwards; use gdal_edit.py -scale -1");
   recipe.Scale = -1.0;
   EXPECT_EQ(WarningsOf(Make(recipe)), "");
 }
@@ -331,8 +339,9 @@ TEST(ReaderDoubts, Pictures)
   Recipe recipe = HillsWith(0.0, 0, GDT_Byte);
   recipe.Bands = 3;
   recipe.Value = [](int i, int j) { return 5.0 * i + j; };
-  Expect(WarningsOf(Make(recipe)), "band 1 of '/vsimem/made.tif' is the red part of a picture; "
-                                   "assuming its values are heights\n");
+  Expect(WarningsOf(Make(recipe)),
+    "band 1 of '/vsimem/made.tif' is the red part of a picture; "
+    "assuming its values are heights\n");
 }
 
 // Once an execution, and nothing when only information is asked for.

@@ -37,8 +37,7 @@ TEST(BaseHeight, StaysWithMostPosts)
     {
       const auto height = [&](std::ptrdiff_t i)
       { return static_cast<double>(i) < share * Count + 1.0 ? fill : Hill(i); };
-      const double base =
-        BaseHeight(Count, std::min(fill, 700.0), std::max(fill, 1300.0), height);
+      const double base = BaseHeight(Count, std::min(fill, 700.0), std::max(fill, 1300.0), height);
       EXPECT_GE(base, 700.0) << fill << " " << share;
       EXPECT_LE(base, 1300.0) << fill << " " << share;
     }
