@@ -113,7 +113,7 @@ void AddSun(CLI::App& program)
     "eclipse of the sun also\neclipse obscuration (percent of the disc that the Moon covers) and "
     "eclipse magnitude (of the diameter).\n"
     "With -o, writes a GeoTIFF of float32 with one band, SunVisibility: the lit share of the sun's "
-    "disc, 0 to 1.");
+    "disc, 0 to 1;\nin an eclipse at --time, times the share of its light that the Moon leaves.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write; without it the sun's position is printed", false);
   command->Sun.AddTo(*app);

@@ -15,7 +15,7 @@ namespace
 /// The covered light by brute force: a square of small squares.
 double Counted(double distance, double cover, double limbDarkening)
 {
-  constexpr int Side = 2000;
+  constexpr int Side = 700;
   double whole = 0.0, hidden = 0.0;
   for (int j = 0; j < Side; ++j)
   {
@@ -35,7 +35,7 @@ double Counted(double distance, double cover, double limbDarkening)
 }
 
 /// Of the squares at the rims, of which half are counted wrongly by chance.
-constexpr double CountError = 5e-5;
+constexpr double CountError = 2e-4;
 
 } // namespace
 
