@@ -50,7 +50,7 @@ struct SkyViewCommand
 
     if (this->EdgeDistance && !asked("EdgeTrust"))
     {
-      throw CLI::ValidationError("--edge-distance", "is for --quantity EdgeTrust; ask for it too");
+      throw CLI::ValidationError("--edge-distance is for --quantity EdgeTrust; ask for it too");
     }
 
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);

@@ -18,6 +18,9 @@ namespace
 constexpr std::uint8_t TerrainBeyond = 1;
 constexpr std::uint8_t TerrainHere = 2;
 
+/// Posts that a point may lie beyond the field's edge and count as on it.
+constexpr double Rounding = 1e-6;
+
 } // namespace
 
 EdgeTrustAccumulator::EdgeTrustAccumulator(const HeightField& field, double distance,
@@ -70,24 +73,32 @@ void EdgeTrustAccumulator::Count(
   float* trust = this->Trust.Values + (row * posts.Columns + column) * this->Trust.Stride;
   const double spacingX = this->RowSpacingX ? this->RowSpacingX[row] : posts.SpacingX;
   const double spacingY = this->RowSpacingY ? this->RowSpacingY[row] : posts.SpacingY;
-  // Beyond the field's ends all is the same; so is it for distances past any integer.
-  const auto columns = static_cast<double>(posts.Columns), rows = static_cast<double>(posts.Rows);
-  const auto right =
-    static_cast<std::ptrdiff_t>(std::clamp(std::round(view.East / spacingX), -columns, columns));
-  const auto up =
-    static_cast<std::ptrdiff_t>(std::clamp(std::round(view.North / spacingY), -rows, rows));
-  if (row + up < 0 || row + up >= posts.Rows)
+  const double right = view.East / spacingX, up = view.North / spacingY; // in posts
+  const double lastColumn = static_cast<double>(posts.Columns - 1);
+  const double lastRow = static_cast<double>(posts.Rows - 1);
+  const double there = static_cast<double>(row) + up;
+  if (there < -Rounding || there > lastRow + Rounding)
   {
     return;
   }
-  const std::uint8_t known =
-    right == 0 && up == 0 ? TerrainBeyond : TerrainBeyond | TerrainHere;
-  const std::uint8_t* there = view.Posts.data() + (row + up) * posts.Columns;
-  const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, -(column + right));
-  const std::ptrdiff_t last = std::min(count, posts.Columns - (column + right));
-  for (std::ptrdiff_t i = first; i < last; ++i)
+  // Which of the run's posts see the point within the field, and how far away its nearest post is.
+  const double begin = static_cast<double>(column) + right;
+  const double first = std::max(0.0, std::ceil(-begin - Rounding));
+  const double last =
+    std::min(static_cast<double>(count - 1), std::floor(lastColumn - begin + Rounding));
+  if (first > last)
   {
-    trust[i * this->Trust.Stride] += (there[column + right + i] & known) != 0 ? 1.0f : 0.0f;
+    return;
+  }
+  const std::ptrdiff_t shift = column + static_cast<std::ptrdiff_t>(std::round(right));
+  const std::uint8_t* line =
+    view.Posts.data() + static_cast<std::ptrdiff_t>(std::round(there)) * posts.Columns;
+  const bool itself = this->Distance < 0.5 * std::min(spacingX, spacingY);
+  const std::uint8_t known = itself ? TerrainBeyond : TerrainBeyond | TerrainHere;
+  for (auto i = static_cast<std::ptrdiff_t>(first); i <= static_cast<std::ptrdiff_t>(last); ++i)
+  {
+    const std::ptrdiff_t nearest = std::clamp<std::ptrdiff_t>(shift + i, 0, posts.Columns - 1);
+    trust[i * this->Trust.Stride] += (line[nearest] & known) != 0 ? 1.0f : 0.0f;
   }
 }
 

@@ -40,7 +40,8 @@ class Options(TypedDict, total=False):
 
     row0, crs, transform, nodata   as in to_image
     scalars    name of an image's heights; default its active scalars
-    method     "exact" (default), "fast" (below the horizon by 0.25 degrees at most), "sweep", "pyramid"
+    method     "exact" (default), "fast" (below the horizon by 0.25 degrees at most, by how much depends
+               on the processor), "sweep", "pyramid"
     surface    "triangles" (default) or "bilinear"
     flat       True leaves curvature and refraction out; default False
     """
