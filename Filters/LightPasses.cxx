@@ -143,10 +143,10 @@ SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonScene& scene)
     const EclipseField eclipse(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight());
     if (eclipse.Any())
     {
-      const double covered = eclipse
-                               .At(0.5 * static_cast<double>(grid.Columns - 1),
-                                 0.5 * static_cast<double>(grid.Rows - 1))
-                               .Obscuration(light->GetLimbDarkening() ? EddingtonLimbDarkening : 0.0);
+      const double covered =
+        eclipse
+          .At(0.5 * static_cast<double>(grid.Columns - 1), 0.5 * static_cast<double>(grid.Rows - 1))
+          .Obscuration(light->GetLimbDarkening() ? EddingtonLimbDarkening : 0.0);
       for (double& channel : disc.Irradiance)
       {
         channel *= 1.0 - covered;

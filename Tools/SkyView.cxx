@@ -84,17 +84,18 @@ void AddSkyView(CLI::App& program)
   CLI::App* app = program.add_subcommand("sky-view", "How much of the sky every post sees");
   const auto command = std::make_shared<SkyViewCommand>();
   command->Horizon.Azimuths = 72;
-  app->footer("Writes a GeoTIFF of float32, one band a quantity, described by its name:\n"
-              "  SkyViewFactor            0 to 1: share of a uniform sky's light that falls on the "
-              "tilted surface\n"
-              "  SkyViewFactorHorizontal  0 to 1: the same on a level plate at the post\n"
-              "  VisibleSkyFraction       0 to 1: share of the upper hemisphere's solid angle\n"
-              "  PositiveOpenness         degrees, 0 to 180: mean zenith angle of the horizon\n"
-              "  EdgeTrust                0 to 1: share of the azimuths in which the data reach at "
-              "least --edge-distance\n"
-              "Beyond the data nothing is known: where no terrain lies the horizon is -90, so posts "
-              "near the rim see too\nmuch (openness of level ground: 90, at an edge 135, at a corner "
-              "157.5). Keep those with EdgeTrust 1.");
+  app->footer(
+    "Writes a GeoTIFF of float32, one band a quantity, described by its name:\n"
+    "  SkyViewFactor            0 to 1: share of a uniform sky's light that falls on the "
+    "tilted surface\n"
+    "  SkyViewFactorHorizontal  0 to 1: the same on a level plate at the post\n"
+    "  VisibleSkyFraction       0 to 1: share of the upper hemisphere's solid angle\n"
+    "  PositiveOpenness         degrees, 0 to 180: mean zenith angle of the horizon\n"
+    "  EdgeTrust                0 to 1: share of the azimuths in which the data reach at "
+    "least --edge-distance\n"
+    "Beyond the data nothing is known: where no terrain lies the horizon is -90, so posts "
+    "near the rim see too\nmuch (openness of level ground: 90, at an edge 135, at a corner "
+    "157.5). Keep those with EdgeTrust 1.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write");
   app

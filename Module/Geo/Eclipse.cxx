@@ -201,8 +201,8 @@ SunAndMoon EclipseField::At(double column, double row) const
   const LatticePlace along(row * this->NodesPerRow, this->Side);
   return Mix(Mix(this->Node(across.Lower, along.Lower), this->Node(across.Lower, along.Upper),
                along.Fraction),
-    Mix(this->Node(across.Upper, along.Lower), this->Node(across.Upper, along.Upper),
-      along.Fraction),
+    Mix(
+      this->Node(across.Upper, along.Lower), this->Node(across.Upper, along.Upper), along.Fraction),
     across.Fraction);
 }
 

@@ -167,7 +167,8 @@ void SunField::Row(std::ptrdiff_t row, std::ptrdiff_t columnBegin, std::ptrdiff_
   SunVector west, east;
   for (std::ptrdiff_t i = 0; i < count; ++i)
   {
-    const LatticePlace across(static_cast<double>(columnBegin + i) * this->NodesPerColumn, this->Side);
+    const LatticePlace across(
+      static_cast<double>(columnBegin + i) * this->NodesPerColumn, this->Side);
     if (across.Lower != cell)
     {
       cell = across.Lower;

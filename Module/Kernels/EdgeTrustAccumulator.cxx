@@ -51,8 +51,11 @@ void EdgeTrustAccumulator::Add(
   std::uint8_t* beyond = this->Now.Posts.data() + row * this->Field.Posts().Columns + column;
   for (std::ptrdiff_t i = 0; i < count; ++i)
   {
-    beyond[i] = static_cast<std::uint8_t>((slopes[i] > NoTerrainSlope ? TerrainBeyond : 0) |
-      (heights[i] > 0.5f * MissingHeight ? TerrainHere : 0));
+    // From a missing post, which lies at MissingHeight, terrain rises above any slope of terrain, and
+    // other missing posts do not.
+    const bool here = heights[i] > 0.5f * MissingHeight;
+    const bool more = slopes[i] > (here ? NoTerrainSlope : -NoTerrainSlope);
+    beyond[i] = static_cast<std::uint8_t>((more ? TerrainBeyond : 0) | (here ? TerrainHere : 0));
   }
   if (this->Azimuths > 1)
   {
@@ -61,7 +64,8 @@ void EdgeTrustAccumulator::Add(
   }
   for (std::ptrdiff_t i = 0; i < count; ++i)
   {
-    this->Trust.Values[(row * this->Field.Posts().Columns + column + i) * this->Trust.Stride] = 0.0f;
+    this->Trust.Values[(row * this->Field.Posts().Columns + column + i) * this->Trust.Stride] =
+      0.0f;
   }
 }
 

@@ -20,6 +20,9 @@ namespace
 constexpr int Azimuths = 72;
 constexpr double Step = 10.0; // metres
 
+/// An arc holds one azimuth more or less than its share of them; and the sum is a float.
+constexpr double OneAzimuth = 1.001 / Azimuths;
+
 constexpr float Along(int quarters)
 {
   return static_cast<float>(quarters * Azimuths / 4 + 1) / Azimuths;
@@ -28,11 +31,13 @@ constexpr float Along(int quarters)
 class Trust
 {
 public:
-  Trust(const oracle::OracleField& field, double distance)
+  Trust(
+    const oracle::OracleField& field, double distance, int method = vtkHeightFieldAlgorithm::EXACT)
     : Columns(field.Columns)
   {
     this->Sky->SetInputData(ImageOf<vtkFloatArray>(field));
     this->Sky->FlatOn();
+    this->Sky->SetMethod(method);
     this->Sky->SetNumberOfAzimuths(Azimuths);
     this->Sky->EdgeTrustOn();
     this->Sky->AutoEdgeDistanceOff();
@@ -70,8 +75,8 @@ TEST(EdgeTrust, ArcsBesideAnEdge)
   for (const int posts : { 5, 15, 25, 29 })
   {
     const double arc = 2.0 * std::acos(posts * Step / 300.0) / (2.0 * Pi);
-    EXPECT_NEAR(trust.At(posts, 100), 1.0 - arc, 1.0 / Azimuths) << posts;
-    EXPECT_NEAR(trust.At(100, 200 - posts), 1.0 - arc, 1.0 / Azimuths) << posts;
+    EXPECT_NEAR(trust.At(posts, 100), 1.0 - arc, OneAzimuth) << posts;
+    EXPECT_NEAR(trust.At(100, 200 - posts), 1.0 - arc, OneAzimuth) << posts;
   }
   EXPECT_EQ(trust.At(30, 100), 1.0f);
   EXPECT_EQ(trust.At(100, 31), 1.0f);
@@ -92,13 +97,17 @@ TEST(EdgeTrust, MissingPostsAtTheRimAreAnEdgeAndHolesAreNot)
       }
     }
   }
-  Trust trust(field, 100.0);
-  EXPECT_TRUE(std::isnan(trust.At(5, 30)));
-  EXPECT_TRUE(std::isnan(trust.At(30, 40)));
-  // The nearest post decides where the edge is not the field's own: half a post is 3 degrees here.
-  EXPECT_NEAR(trust.At(10, 30), 0.5, 3.0 / Azimuths);
-  EXPECT_EQ(trust.At(30, 30), 1.0f);
-  EXPECT_EQ(trust.At(30, 34), 1.0f);
+  for (const int method : { vtkHeightFieldAlgorithm::EXACT, vtkHeightFieldAlgorithm::FAST,
+         vtkHeightFieldAlgorithm::SWEEP, vtkHeightFieldAlgorithm::PYRAMID })
+  {
+    Trust trust(field, 100.0, method);
+    EXPECT_TRUE(std::isnan(trust.At(5, 30)));
+    EXPECT_TRUE(std::isnan(trust.At(30, 40)));
+    // The nearest post decides where the edge is not the field's own: half a post is 3 degrees here.
+    EXPECT_NEAR(trust.At(10, 30), 0.5, 3.0 * OneAzimuth) << method;
+    EXPECT_EQ(trust.At(30, 30), 1.0f) << method;
+    EXPECT_EQ(trust.At(30, 34), 1.0f) << method;
+  }
 }
 
 TEST(EdgeTrust, AutomaticDistanceIsATenthOfTheShorterSideOrAKilometre)

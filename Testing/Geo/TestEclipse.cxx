@@ -101,8 +101,8 @@ TEST(Eclipse, TheMoonOfJplHorizons)
   {
     const UtcTime time = ParseUtcTime(row.at("utc"));
     const std::array<double, 3> moon = EclipseEphemeris(time).MoonFromEarthCentre();
-    const std::array<double, 3> place = FromEarthCentre(
-      Number(row, "lon_deg_east"), Number(row, "lat_deg"), Number(row, "height_m"));
+    const std::array<double, 3> place =
+      FromEarthCentre(Number(row, "lon_deg_east"), Number(row, "lat_deg"), Number(row, "height_m"));
     const double x = moon[0] - place[0], y = moon[1] - place[1], z = moon[2] - place[2];
     const AstronomicalTimes times = ConvertUtc(time, 0.0);
     const double ascension = DegreesPerRadian *
@@ -117,13 +117,13 @@ TEST(Eclipse, TheMoonOfJplHorizons)
     ++count;
 
     // The sky of the place, where UT1 - UTC does count (0.0038 degrees).
-    const LocalVector seen = SeenFrom(
-      moon, Number(row, "lon_deg_east"), Number(row, "lat_deg"), Number(row, "height_m"));
-    EXPECT_NEAR(
-      std::atan2(seen.Up, std::hypot(seen.East, seen.North)) * DegreesPerRadian,
+    const LocalVector seen =
+      SeenFrom(moon, Number(row, "lon_deg_east"), Number(row, "lat_deg"), Number(row, "height_m"));
+    EXPECT_NEAR(std::atan2(seen.Up, std::hypot(seen.East, seen.North)) * DegreesPerRadian,
       Number(row, "elevation_deg"), 0.009);
-    EXPECT_NEAR(std::remainder(AzimuthOf(seen.East, seen.North) -
-                    Number(row, "azimuth_deg_from_north_cw"), 360.0) *
+    EXPECT_NEAR(
+      std::remainder(
+        AzimuthOf(seen.East, seen.North) - Number(row, "azimuth_deg_from_north_cw"), 360.0) *
         std::cos(Number(row, "elevation_deg") * RadiansPerDegree),
       0.0, 0.009);
   }
@@ -188,8 +188,7 @@ TEST(Eclipse, GreatestEclipsesOfTheCatalogue)
   }
   // An annular eclipse leaves a ring: the square of the ratio is covered.
   const double ratio = 0.9520 * RatioOfRatios;
-  EXPECT_NEAR(
-    Share("2023-10-14T17:59:32Z", { -83.1, 11.4, 0.0 }), ratio * ratio, 2.0 * RatioError);
+  EXPECT_NEAR(Share("2023-10-14T17:59:32Z", { -83.1, 11.4, 0.0 }), ratio * ratio, 2.0 * RatioError);
 }
 
 TEST(Eclipse, NoneElsewhereOrAtOtherTimes)
@@ -252,8 +251,8 @@ TEST(EclipseField, CostsNothingWhereThereIsNone)
   none.Uncovered(0, 0, 1, 0.0, &left);
   EXPECT_EQ(left, 1.0f);
   // The same hour, elsewhere: and an eclipse is the Earth's.
-  EXPECT_FALSE(EclipseField(OnMap(Geographic, 10.0, -40.0, 0.01, 0.01, 101, 101),
-    ParseUtcTime("2026-08-12T18:28Z"), 800.0)
+  EXPECT_FALSE(EclipseField(
+    OnMap(Geographic, 10.0, -40.0, 0.01, 0.01, 101, 101), ParseUtcTime("2026-08-12T18:28Z"), 800.0)
                  .Any());
   burgos.Earth = false;
   EXPECT_FALSE(EclipseField(burgos, ParseUtcTime("2026-08-12T18:28Z"), 800.0).Any());

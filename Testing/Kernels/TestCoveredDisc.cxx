@@ -47,8 +47,8 @@ TEST(CoveredDisc, AgreesWithCountedSquares)
     {
       for (const double darkening : { 0.0, 0.6 })
       {
-        EXPECT_NEAR(CoveredShare(distance, cover, darkening), Counted(distance, cover, darkening),
-          CountError)
+        EXPECT_NEAR(
+          CoveredShare(distance, cover, darkening), Counted(distance, cover, darkening), CountError)
           << distance << " " << cover << " " << darkening;
       }
     }
