@@ -51,11 +51,10 @@ void EdgeTrustAccumulator::Add(
   std::uint8_t* beyond = this->Now.Posts.data() + row * this->Field.Posts().Columns + column;
   for (std::ptrdiff_t i = 0; i < count; ++i)
   {
-    // From a missing post, which lies at MissingHeight, terrain rises above any slope of terrain, and
-    // other missing posts do not.
+    // Methods disagree about the horizon of a missing post; it is not asked.
     const bool here = heights[i] > 0.5f * MissingHeight;
-    const bool more = slopes[i] > (here ? NoTerrainSlope : -NoTerrainSlope);
-    beyond[i] = static_cast<std::uint8_t>((more ? TerrainBeyond : 0) | (here ? TerrainHere : 0));
+    beyond[i] = static_cast<std::uint8_t>(
+      here ? TerrainHere | (slopes[i] > NoTerrainSlope ? TerrainBeyond : 0) : 0);
   }
   if (this->Azimuths > 1)
   {
@@ -98,12 +97,36 @@ void EdgeTrustAccumulator::Count(
   const std::uint8_t* line =
     view.Posts.data() + static_cast<std::ptrdiff_t>(std::round(there)) * posts.Columns;
   const bool itself = this->Distance < 0.5 * std::min(spacingX, spacingY);
-  const std::uint8_t known = itself ? TerrainBeyond : TerrainBeyond | TerrainHere;
   for (auto i = static_cast<std::ptrdiff_t>(first); i <= static_cast<std::ptrdiff_t>(last); ++i)
   {
     const std::ptrdiff_t nearest = std::clamp<std::ptrdiff_t>(shift + i, 0, posts.Columns - 1);
-    trust[i * this->Trust.Stride] += (line[nearest] & known) != 0 ? 1.0f : 0.0f;
+    const bool known = (!itself && (line[nearest] & TerrainHere) != 0) ||
+      this->LiesBeyond(view, row, column + i, right, up);
+    trust[i * this->Trust.Stride] += known ? 1.0f : 0.0f;
   }
+}
+
+/// Whether terrain lies beyond the point (right, up) posts away, which is missing or the post itself: what
+/// the last post before it that is not missing sees.
+bool EdgeTrustAccumulator::LiesBeyond(
+  const View& view, std::ptrdiff_t row, std::ptrdiff_t column, double right, double up) const
+{
+  const Grid& posts = this->Field.Posts();
+  const double steps = std::ceil(std::max(std::abs(right), std::abs(up)));
+  for (double step = steps; step >= 0.0; --step)
+  {
+    const double part = steps > 0.0 ? step / steps : 0.0;
+    const auto i = static_cast<std::ptrdiff_t>(std::round(part * right)) + column;
+    const auto j = static_cast<std::ptrdiff_t>(std::round(part * up)) + row;
+    const std::uint8_t bits = view.Posts[static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(j, 0, posts.Rows - 1) * posts.Columns +
+      std::clamp<std::ptrdiff_t>(i, 0, posts.Columns - 1))];
+    if (bits != 0)
+    {
+      return (bits & TerrainBeyond) != 0;
+    }
+  }
+  return false;
 }
 
 void EdgeTrustAccumulator::Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd)

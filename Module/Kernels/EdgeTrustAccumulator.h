@@ -41,6 +41,9 @@ private:
   void Count(
     const View& view, std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count) const;
 
+  bool LiesBeyond(
+    const View& view, std::ptrdiff_t row, std::ptrdiff_t column, double right, double up) const;
+
   const HeightField& Field;
   double Distance;
   PostBuffer Trust; ///< until Finish: azimuths counted

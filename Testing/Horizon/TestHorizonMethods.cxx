@@ -203,7 +203,7 @@ TEST(HorizonTargets, Agree)
 TEST(HorizonTargets, DifferByTheToleranceOfFast)
 {
   constexpr double FastTolerance = 0.25; // degrees
-  const oracle::OracleField field = shapes::Fractal(257, 257, 30.0, 1500.0, 11, 0.5);
+  const oracle::OracleField field = shapes::Fractal(129, 129, 30.0, 1500.0, 11, 0.5);
   const HeightField posts = FieldOf(field);
   HorizonSettings settings;
   settings.Method = HorizonMethodKind::Fast;

@@ -43,7 +43,8 @@ class SkyView(ToolTest):
         dem = make(self.path("dem.tif"), np.full((41, 41), 99.0), epsg=UTM10)
         trust = self.sky_view(
             dem, "--quantity", "EdgeTrust", "--edge-distance", "150")["EdgeTrust"]
-        self.assertEqual(gdal.Open(self.path("out.tif")).GetRasterBand(1).GetUnitType(), "1")
+        raster = gdal.Open(self.path("out.tif"))
+        self.assertEqual(raster.GetRasterBand(1).GetUnitType(), "1")
         for (row, column), azimuths in {(20, 20): 72, (0, 20): 37, (20, 40): 37, (40, 0): 19}.items():
             self.assertAlmostEqual(trust[row, column], azimuths / 72, places=6)
         self.assertEqual(trust[5, 20], 1.0)

@@ -200,20 +200,26 @@ class Visibility(ToolTest):
         self.assertEqual(np.min(self.visibility(dem, "--sun", "120,90")), 1.0)
 
     def test_an_eclipse_dims_every_post_by_its_own_share(self):
-        # 5 degrees from west to east, 400 km: the shadow comes from the west.
-        dem = make(self.path("dem.tif"), np.full((9, 51), 860.0), step=(0.1, 0.1),
-                   corner=(-6.2, 41.9), epsg=4326)
-        self.succeed("sun", dem, "--time", "2026-08-12T18:00Z", "-o", self.path("out.tif"))
+        # 5 degrees from west to east, 400 km; the ends as the position printed at both places has them.
+        def level(name, west, columns):
+            return make(self.path(name), np.full((9, columns), 860.0), step=(0.1, 0.1),
+                        corner=(west, 41.9), epsg=4326)
+
+        dem = level("dem.tif", -6.2, 51)
+        time = ["--time", "2026-08-12T18:00Z"]
+        self.succeed("sun", dem, *time, "-o", self.path("out.tif"))
         lit = read(self.path("out.tif"))[0]
-        line = self.succeed("sun", dem, "--time", "2026-08-12T18:00Z").stdout.split("obscuration: ")[1]
-        self.assertAlmostEqual(lit[4, 25], 1.0 - float(line.split()[0]) / 100.0, delta=2e-4)
-        self.assertTrue(np.all(np.diff(lit, axis=1) > 0.0))
-        self.assertGreater(lit[4, -1] - lit[4, 0], 0.02)
-        self.succeed("sun", dem, "--time", "2026-08-12T18:00Z", "--limb-darkening", "-o",
-                     self.path("dark.tif"))
-        darkened = read(self.path("dark.tif"))[0]
-        self.assertTrue(np.all(darkened > lit), "the Moon covers the dim limb first")
-        self.assertLess(np.max(darkened - lit), 0.1)
+        for west, column in [(-6.3, 0), (-1.3, 50)]:
+            line = self.succeed("sun", level("end.tif", west, 3), *time).stdout
+            covered = float(line.split("obscuration: ")[1].split()[0]) / 100.0
+            self.assertAlmostEqual(lit[4, column], 1.0 - covered, delta=2e-4)
+        self.assertGreater(abs(lit[4, -1] - lit[4, 0]), 0.004)
+        # A few minutes after first contact the Moon covers the dim limb alone.
+        time = ["--time", "2026-08-12T17:40Z"]
+        self.succeed("sun", dem, *time, "-o", self.path("out.tif"))
+        self.succeed("sun", dem, *time, "--limb-darkening", "-o", self.path("dark.tif"))
+        lit, darkened = read(self.path("out.tif"))[0], read(self.path("dark.tif"))[0]
+        self.assertTrue(np.all(lit < 1.0) and np.all(darkened > lit))
 
     def test_time_and_the_same_direction_agree(self):
         dem = os.path.join(Program.DATA, "dem", "SainteHelens.tif")
