@@ -11,6 +11,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -57,7 +58,8 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
   constexpr double radians = skyline::RadiansPerDegree;
   const skyline::SunField sun = this->UseTime
     ? skyline::SunField(scene.Place(), skyline::ParseUtcTime(this->Time), scene.MeanHeight())
-    : skyline::SunField::Constant(this->SunAzimuth, this->SunElevation, this->SunAngularRadius);
+    : skyline::SunField::Constant(
+        std::fmod(this->SunAzimuth, 360.0), this->SunElevation, this->SunAngularRadius);
   const skyline::EclipseField eclipse = this->UseTime
     ? skyline::EclipseField(scene.Place(), skyline::ParseUtcTime(this->Time), scene.MeanHeight())
     : skyline::EclipseField();
@@ -98,8 +100,8 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
   }
   else
   {
-    const skyline::SunDisc disc{ this->SunAzimuth * radians, this->SunElevation * radians,
-      radius * radians };
+    const skyline::SunDisc disc{ std::fmod(this->SunAzimuth, 360.0) * radians,
+      this->SunElevation * radians, radius * radians };
     finished = run(skyline::SunAccumulator(posts.Columns, posts.Rows, disc, buffer, darkening));
   }
   if (finished)

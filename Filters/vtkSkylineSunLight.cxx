@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkylineSunLight.h"
 
+#include "BaseHeight.h"
 #include "Eclipse.h"
 #include "SunField.h"
 #include "vtkDataArray.h"
@@ -32,12 +33,16 @@ namespace
 
 double MiddleHeight(vtkImageData* heightField)
 {
-  double range[2] = { 0.0, 0.0 };
-  if (vtkDataArray* heights = heightField->GetPointData()->GetScalars())
+  vtkDataArray* heights = heightField->GetPointData()->GetScalars();
+  double range[2] = { 0.0, -1.0 };
+  if (heights)
   {
     heights->GetFiniteRange(range, 0);
   }
-  return range[0] <= range[1] ? range[0] + 0.5 * (range[1] - range[0]) : 0.0;
+  return range[0] <= range[1]
+    ? skyline::BaseHeight(heights->GetNumberOfTuples(), range[0], range[1],
+        [&](std::ptrdiff_t post) { return heights->GetComponent(post, 0); })
+    : 0.0;
 }
 
 } // namespace

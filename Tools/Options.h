@@ -9,15 +9,17 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <vector>
 
 namespace skyline
 {
 
-/// DEM, --band: what is read.
+/// DEM, --band, --nodata: what is read.
 struct TerrainOptions
 {
   std::string File;
   int Band = 1;
+  std::vector<double> Nodata; ///< besides the file's own
   void AddTo(CLI::App& command);
 };
 
