@@ -112,10 +112,11 @@ bool EdgeTrustAccumulator::LiesBeyond(
   const View& view, std::ptrdiff_t row, std::ptrdiff_t column, double right, double up) const
 {
   const Grid& posts = this->Field.Posts();
-  const double steps = std::ceil(std::max(std::abs(right), std::abs(up)));
-  for (double step = steps; step >= 0.0; --step)
+  const auto steps =
+    static_cast<std::ptrdiff_t>(std::ceil(std::max(std::abs(right), std::abs(up))));
+  for (std::ptrdiff_t step = steps; step >= 0; --step)
   {
-    const double part = steps > 0.0 ? step / steps : 0.0;
+    const double part = steps > 0 ? static_cast<double>(step) / static_cast<double>(steps) : 0.0;
     const auto i = static_cast<std::ptrdiff_t>(std::round(part * right)) + column;
     const auto j = static_cast<std::ptrdiff_t>(std::round(part * up)) + row;
     const std::uint8_t bits = view.Posts[static_cast<std::size_t>(
