@@ -94,14 +94,15 @@ void EdgeTrustAccumulator::Count(
     return;
   }
   const std::ptrdiff_t shift = column + static_cast<std::ptrdiff_t>(std::round(right));
+  const std::uint8_t* own = view.Posts.data() + row * posts.Columns + column;
   const std::uint8_t* line =
     view.Posts.data() + static_cast<std::ptrdiff_t>(std::round(there)) * posts.Columns;
   const bool itself = this->Distance < 0.5 * std::min(spacingX, spacingY);
   for (auto i = static_cast<std::ptrdiff_t>(first); i <= static_cast<std::ptrdiff_t>(last); ++i)
   {
     const std::ptrdiff_t nearest = std::clamp<std::ptrdiff_t>(shift + i, 0, posts.Columns - 1);
-    const bool known = (!itself && (line[nearest] & TerrainHere) != 0) ||
-      this->LiesBeyond(view, row, column + i, right, up);
+    const bool known = own[i] != 0 &&
+      ((!itself && line[nearest] != 0) || this->LiesBeyond(view, row, column + i, right, up));
     trust[i * this->Trust.Stride] += known ? 1.0f : 0.0f;
   }
 }
