@@ -38,7 +38,8 @@ struct SkyDisc
 SkyDisc DiscOf(vtkSkylineSunLight* light);
 SkyDisc DiscOf(vtkSkylineKeyLight* light);
 
-/// The same, with UseTime as the sun stands over the middle of the scene.
+/// The same, with UseTime as the sun stands over the middle of the scene; in an eclipse with the light
+/// that the Moon leaves there.
 SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonScene& scene);
 
 /// Discs up to this radius, radians, are lit as a whole and shadowed by their lit part; of larger

@@ -80,7 +80,8 @@ public:
   ///@}
 
   ///@{
-  /// Degrees by which EXACT may fall short of the horizon, for speed; default 0, 0 to 90.
+  /// Degrees by which EXACT may fall short of the horizon, for speed; default 0, 0 to 90. What is found
+  /// within the tolerance (FAST: 0.25) depends on the processor's instruction set; with 0 it does not.
   vtkSetClampMacro(Tolerance, double, 0.0, 90.0);
   vtkGetMacro(Tolerance, double);
   ///@}

@@ -11,11 +11,13 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkSkylineWarning.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkShadowHeightMap);
@@ -136,6 +138,15 @@ bool vtkShadowHeightMap::Compute(skyline::HorizonScene& scene, vtkImageData* out
   scene.DemandFloats("shadow heights", this->Soft ? 3 : 1, { std::fmod(this->SunAzimuth, 360.0) });
   const double elevation = this->SunElevation * skyline::RadiansPerDegree;
   const double radius = this->SunAngularRadius * skyline::RadiansPerDegree;
+  if (elevation <= 0.0)
+  {
+    std::ostringstream degrees;
+    degrees << this->SunElevation;
+    skyline::Warn(this,
+      { "the sun's centre stands at " + degrees.str() + " degrees, not above the horizontal plane",
+        "that all is in its shadow at any height: ShadowHeight is infinite, and nodata in a raster",
+        "" });
+  }
   bool finished =
     this->AddShadow(scene, output, "ShadowHeight", elevation, elevation > 0.0, this->BelowTerrain);
   if (this->Soft && finished)

@@ -42,7 +42,7 @@ void HorizonOptions::AddTo(CLI::App& command, bool azimuths, const char* method)
   }
   command
     .add_option(method, this->Method,
-      "exact: every edge of the surface counts;\nfast: up to 0.25 degrees lower than exact;\n"
+      "exact: every edge of the surface counts;\nfast: up to 0.25 degrees lower than exact, by how much depends on the processor;\n"
       "sweep: line sweeps, resampled to the posts, off by degrees at places;\n"
       "pyramid: smoothed heights, for soft shadows; off by a degree, none below 0")
     ->check(CLI::IsMember({ "exact", "fast", "sweep", "pyramid" }))
@@ -65,7 +65,8 @@ void HorizonOptions::AddTo(CLI::App& command, bool azimuths, const char* method)
     ->capture_default_str();
   command
     .add_option("--tolerance", this->Tolerance,
-      "Degrees by which method exact may fall short of the horizon, for speed; 0 to 90")
+      "Degrees by which method exact may fall short of the horizon, for speed; 0 to 90.\n"
+      "Above 0, what is found within them depends on the processor")
     ->type_name("DEG")
     ->capture_default_str();
 }

@@ -66,8 +66,8 @@ void AddShadowHeight(CLI::App& program)
   const auto command = std::make_shared<ShadowHeightCommand>();
   app->footer(
     "Writes a GeoTIFF of float32 in metres. ShadowHeight: what lies lower above the post "
-    "is in the shadow of the\nterrain; the post's own height where it is lit, infinite "
-    "for a sun under the horizontal plane. With --soft\nalso ShadowHeightUpper and "
+    "is in the shadow of the\nterrain; the post's own height where it is lit, nodata "
+    "everywhere, with a warning, for a sun on or\nunder the horizontal plane. With --soft also ShadowHeightUpper and "
     "ShadowHeightLower, for the upper and lower limb of the disc: below the first all\nof "
     "the sun is hidden, above the second none; these may lie under the ground. One sun "
     "for the whole DEM:\nwith --time, that over its centre. Method fast is exact here; sweep is the "

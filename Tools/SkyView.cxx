@@ -10,14 +10,17 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace
 {
 
-const std::vector<std::string> AllQuantities{ "SkyViewFactor", "SkyViewFactorHorizontal",
+const std::vector<std::string> UsualQuantities{ "SkyViewFactor", "SkyViewFactorHorizontal",
   "VisibleSkyFraction", "PositiveOpenness" };
+const std::vector<std::string> AllQuantities{ "SkyViewFactor", "SkyViewFactorHorizontal",
+  "VisibleSkyFraction", "PositiveOpenness", "EdgeTrust" };
 
 struct SkyViewCommand
 {
@@ -25,6 +28,7 @@ struct SkyViewCommand
   skyline::OutputOptions Output;
   skyline::HorizonOptions Horizon;
   std::vector<std::string> Quantities;
+  std::optional<double> EdgeDistance; // metres
   skyline::Talk Talk;
 
   void Run() const
@@ -34,7 +38,7 @@ struct SkyViewCommand
 
     // Every quantity once, in the order asked for.
     std::vector<std::string> wanted;
-    for (const std::string& name : this->Quantities.empty() ? AllQuantities : this->Quantities)
+    for (const std::string& name : this->Quantities.empty() ? UsualQuantities : this->Quantities)
     {
       if (std::find(wanted.begin(), wanted.end(), name) == wanted.end())
       {
@@ -43,6 +47,11 @@ struct SkyViewCommand
     }
     const auto asked = [&](const char* name)
     { return std::find(wanted.begin(), wanted.end(), name) != wanted.end(); };
+
+    if (this->EdgeDistance && !asked("EdgeTrust"))
+    {
+      throw CLI::ValidationError("--edge-distance is for --quantity EdgeTrust; ask for it too");
+    }
 
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
     vtkNew<vtkHeightFieldSkyView> sky;
@@ -53,6 +62,12 @@ struct SkyViewCommand
     sky->SetSkyViewFactorHorizontal(asked("SkyViewFactorHorizontal"));
     sky->SetVisibleSkyFraction(asked("VisibleSkyFraction"));
     sky->SetPositiveOpenness(asked("PositiveOpenness"));
+    sky->SetEdgeTrust(asked("EdgeTrust"));
+    if (this->EdgeDistance)
+    {
+      sky->AutoEdgeDistanceOff();
+      sky->SetEdgeDistance(*this->EdgeDistance);
+    }
     skyline::RunPass(sky, "sky view", this->Talk);
 
     skyline::WriteRaster(sky, wanted, this->Output, this->Talk);
@@ -69,21 +84,33 @@ void AddSkyView(CLI::App& program)
   CLI::App* app = program.add_subcommand("sky-view", "How much of the sky every post sees");
   const auto command = std::make_shared<SkyViewCommand>();
   command->Horizon.Azimuths = 72;
-  app->footer("Writes a GeoTIFF of float32, one band a quantity, described by its name:\n"
-              "  SkyViewFactor            0 to 1: share of a uniform sky's light that falls on the "
-              "tilted surface\n"
-              "  SkyViewFactorHorizontal  0 to 1: the same on a level plate at the post\n"
-              "  VisibleSkyFraction       0 to 1: share of the upper hemisphere's solid angle\n"
-              "  PositiveOpenness         degrees, 0 to 180: mean zenith angle of the horizon");
+  app->footer(
+    "Writes a GeoTIFF of float32, one band a quantity, described by its name:\n"
+    "  SkyViewFactor            0 to 1: share of a uniform sky's light that falls on the "
+    "tilted surface\n"
+    "  SkyViewFactorHorizontal  0 to 1: the same on a level plate at the post\n"
+    "  VisibleSkyFraction       0 to 1: share of the upper hemisphere's solid angle\n"
+    "  PositiveOpenness         degrees, 0 to 180: mean zenith angle of the horizon\n"
+    "  EdgeTrust                0 to 1: share of the azimuths in which the data reach at "
+    "least --edge-distance\n"
+    "Beyond the data nothing is known: where no terrain lies the horizon is -90, so posts "
+    "near the rim see too\nmuch (openness of level ground: 90, at an edge 135, at a corner "
+    "157.5). Keep those with EdgeTrust 1.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write");
   app
     ->add_option("--quantity", command->Quantities,
-      "A quantity to write, see below; may be repeated. Default: all four")
+      "A quantity to write, see below; may be repeated. Default: all but EdgeTrust")
     ->type_name("NAME")
     ->check(CLI::IsMember(AllQuantities))
     ->type_size(1)
     ->allow_extra_args(false);
+  app
+    ->add_option("--edge-distance", command->EdgeDistance,
+      "How far the data must reach for EdgeTrust, metres, 0 (any terrain at all) or more.\n"
+      "Default: 1000, or a tenth of the DEM's shorter side if that is less")
+    ->type_name("METRES")
+    ->check(CLI::Range(0.0, 1e9));
   command->Horizon.AddTo(*app);
   AddTalk(*app, command->Talk);
   app->callback([command] { command->Run(); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands.h"
 
+#include "Eclipse.h"
 #include "Failure.h"
 #include "Files.h"
 #include "Options.h"
@@ -48,10 +49,24 @@ struct SunCommand
     if (sun.FromTime)
     {
       std::printf("time: %s UTC\n", skyline::ToText(skyline::ParseUtcTime(this->Sun.Time)).c_str());
+      this->PrintEclipse(center, sun);
     }
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
     {
       throw skyline::Failure("cannot write to standard output");
+    }
+  }
+
+  // Two lines while the Moon covers any of a sun that has not set.
+  void PrintEclipse(const skyline::Center& center, const skyline::SunLight& sun) const
+  {
+    const skyline::SunAndMoon seen =
+      skyline::EclipseEphemeris(skyline::ParseUtcTime(this->Sun.Time))
+        .At(center.Longitude, center.Latitude, center.Height);
+    if (seen.Magnitude() > 0.0 && sun.ApparentElevation + sun.Radius > 0.0)
+    {
+      std::printf("eclipse obscuration: %.2f percent\n", 100.0 * seen.Obscuration());
+      std::printf("eclipse magnitude: %.4f diameter\n", seen.Magnitude());
     }
   }
 
@@ -94,9 +109,11 @@ void AddSun(CLI::App& program)
   app->footer(
     "Without -o, prints the sun at the centre of the DEM, one `name: value unit` a line: azimuth "
     "(clockwise from\ntrue north; from grid north for a DEM without CRS), elevation (without air), "
-    "refracted elevation,\nangular radius, grid azimuth, and the place and time.\n"
+    "refracted elevation,\nangular radius, grid azimuth, and the place and time; with --time in an "
+    "eclipse of the sun also\neclipse obscuration (percent of the disc that the Moon covers) and "
+    "eclipse magnitude (of the diameter).\n"
     "With -o, writes a GeoTIFF of float32 with one band, SunVisibility: the lit share of the sun's "
-    "disc, 0 to 1.");
+    "disc, 0 to 1;\nin an eclipse at --time, times the share of its light that the Moon leaves.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write; without it the sun's position is printed", false);
   command->Sun.AddTo(*app);

@@ -3,6 +3,7 @@
 
 #include "Azimuth.h"
 #include "Constants.h"
+#include "LatticePlace.h"
 #include "SunPosition.h"
 
 #include <algorithm>
@@ -20,22 +21,6 @@ namespace
 /// lattice holds the one before.
 constexpr std::ptrdiff_t FirstSide = 5;
 constexpr std::ptrdiff_t LastSide = 257;
-
-/// Position between two nodes.
-struct Place
-{
-  std::ptrdiff_t Lower = 0, Upper = 0;
-  double Fraction = 0.0;
-
-  Place(double position, std::ptrdiff_t nodes)
-  {
-    const double inside = std::clamp(position, 0.0, static_cast<double>(nodes - 1));
-    const std::ptrdiff_t lastCell = std::max<std::ptrdiff_t>(nodes - 2, 0);
-    this->Lower = std::min(static_cast<std::ptrdiff_t>(inside), lastCell);
-    this->Upper = std::min(this->Lower + 1, nodes - 1);
-    this->Fraction = inside - static_cast<double>(this->Lower);
-  }
-};
 
 SunVector Mix(const SunVector& a, const SunVector& b, double fraction)
 {
@@ -155,8 +140,8 @@ const SunVector& SunField::Node(std::ptrdiff_t column, std::ptrdiff_t row) const
 
 SunVector SunField::Interpolate(double column, double row) const
 {
-  const Place across(column * this->NodesPerColumn, this->Side);
-  const Place along(row * this->NodesPerRow, this->Side);
+  const LatticePlace across(column * this->NodesPerColumn, this->Side);
+  const LatticePlace along(row * this->NodesPerRow, this->Side);
   const SunVector west = Mix(
     this->Node(across.Lower, along.Lower), this->Node(across.Lower, along.Upper), along.Fraction);
   const SunVector east = Mix(
@@ -177,12 +162,13 @@ GridSun SunField::At(double column, double row) const
 void SunField::Row(std::ptrdiff_t row, std::ptrdiff_t columnBegin, std::ptrdiff_t count, float* x,
   float* y, float* z) const
 {
-  const Place along(static_cast<double>(row) * this->NodesPerRow, this->Side);
+  const LatticePlace along(static_cast<double>(row) * this->NodesPerRow, this->Side);
   std::ptrdiff_t cell = -1;
   SunVector west, east;
   for (std::ptrdiff_t i = 0; i < count; ++i)
   {
-    const Place across(static_cast<double>(columnBegin + i) * this->NodesPerColumn, this->Side);
+    const LatticePlace across(
+      static_cast<double>(columnBegin + i) * this->NodesPerColumn, this->Side);
     if (across.Lower != cell)
     {
       cell = across.Lower;

@@ -31,7 +31,8 @@ Heights = Union[ArrayLike, FileName]
 
 _METHODS = ("exact", "fast", "sweep", "pyramid")
 _SURFACES = ("triangles", "bilinear")
-_QUANTITIES = ("SkyViewFactor", "SkyViewFactorHorizontal", "VisibleSkyFraction", "PositiveOpenness")
+_QUANTITIES = (
+    "SkyViewFactor", "SkyViewFactorHorizontal", "VisibleSkyFraction", "PositiveOpenness", "EdgeTrust")
 
 
 class Options(TypedDict, total=False):
@@ -39,7 +40,8 @@ class Options(TypedDict, total=False):
 
     row0, crs, transform, nodata   as in to_image; of a file: nodata as in read, and no other
     scalars    name of an image's heights; default its active scalars
-    method     "exact" (default), "fast" (below the horizon by 0.25 degrees at most), "sweep", "pyramid"
+    method     "exact" (default), "fast" (below the horizon by 0.25 degrees at most, by how much depends
+               on the processor), "sweep", "pyramid"
     surface    "triangles" (default) or "bilinear"
     flat       True leaves curvature and refraction out; default False
     """
@@ -160,27 +162,36 @@ def horizon(z: Any, spacing: Any = None, azimuths: int = 72, **options: Unpack[O
 
 @overload
 def sky_view(z: Heights, spacing: Spacing | None = None, azimuths: int = 72,
-             quantity: str = ..., **options: Unpack[Options]) -> Floats: ...
+             quantity: str = ..., *, edge_distance: float | None = None,
+             **options: Unpack[Options]) -> Floats: ...
 @overload
 def sky_view(z: Heights, spacing: Spacing | None = None, azimuths: int = 72, *, quantity: Names,
-             **options: Unpack[Options]) -> dict[str, Floats]: ...
+             edge_distance: float | None = None, **options: Unpack[Options]) -> dict[str, Floats]: ...
 @overload
-def sky_view(z: Heights, spacing: Spacing | None, azimuths: int, quantity: Names,
-             **options: Unpack[Options]) -> dict[str, Floats]: ...
+def sky_view(z: Heights, spacing: Spacing | None, azimuths: int, quantity: Names, *,
+             edge_distance: float | None = None, **options: Unpack[Options]) -> dict[str, Floats]: ...
 @overload
 def sky_view(z: vtkImageData, spacing: None = None, azimuths: int = 72,
-             quantity: str | Names = ..., **options: Unpack[Options]) -> vtkImageData: ...
+             quantity: str | Names = ..., *, edge_distance: float | None = None,
+             **options: Unpack[Options]) -> vtkImageData: ...
 def sky_view(
     z: Any, spacing: Any = None, azimuths: int = 72,
-    quantity: str | Names = "SkyViewFactor", **options: Unpack[Options],
+    quantity: str | Names = "SkyViewFactor", *, edge_distance: float | None = None,
+    **options: Unpack[Options],
 ) -> Any:
     """How much sky every post sees; z's row 0 is its NORTH edge, or its south one by row0="south".
 
     z, spacing, azimuths, options   as in horizon
     quantity   "SkyViewFactor" (cosine-weighted, on the tilted surface, 0 to 1),
                "SkyViewFactorHorizontal" (the same on a level surface), "VisibleSkyFraction" (of the
-               upper hemisphere's solid angle), or "PositiveOpenness" (degrees). Several, as a list,
-               take one search.
+               upper hemisphere's solid angle), "PositiveOpenness" (degrees), or "EdgeTrust" (the share
+               of the azimuths in which the data reach at least edge_distance). Several, as a list, take
+               one search.
+    edge_distance   of EdgeTrust: metres, 0 (any terrain at all) or more; default 1000, or a tenth of the
+               shorter side if that is less
+
+    Beyond the data nothing is known: where no terrain lies the horizon is -90 degrees, so posts near the
+    rim see too much (openness of level ground: 90, at an edge 135). Keep those with EdgeTrust 1.
 
     Returns float32 (rows, columns), rows as z has them, NaN at missing posts; for a list of quantities
     a dictionary of them. For a vtkImageData, that image with the point arrays of these names.
@@ -201,6 +212,12 @@ def sky_view(
     filter_.SetNumberOfAzimuths(_check.whole("azimuths", azimuths, 1, 3600))
     for name in _QUANTITIES:
         getattr(filter_, "Set" + name)(name in wanted)
+    if edge_distance is not None:
+        if "EdgeTrust" not in wanted:
+            raise ValueError('edge_distance is for the quantity "EdgeTrust"; ask for it too')
+        filter_.AutoEdgeDistanceOff()
+        filter_.SetEdgeDistance(_check.number(
+            "edge_distance", edge_distance, "metres, 0 or more", lambda d: d >= 0.0))
     if terrain.as_image or isinstance(quantity, str):
         return terrain.result(filter_, wanted[0])
     output = terrain.run(filter_)
@@ -273,8 +290,8 @@ def shadow_height(
     below_terrain  tell also how far below the ground the shadow passes where the post is lit; else
                    there it is the post's own height
 
-    Returns float32 (rows, columns), metres in the frame of the heights, rows as z has them; infinite
-    with the sun on or under the horizontal plane. For a vtkImageData, that image with ShadowHeight.
+    Returns float32 (rows, columns), metres in the frame of the heights, rows as z has them; with
+    the sun on or under the horizontal plane plus infinity, with a warning (write makes it nodata). For a vtkImageData, that image with ShadowHeight.
 
     >>> z = np.zeros((2, 6))
     >>> z[:, 0] = 30.0
@@ -369,7 +386,7 @@ def irradiance(
 
 def sun_position(
     place: FileName | vtkImageData, time: Any, *, nodata: Nodata = None
-) -> tuple[float, float, float]:
+) -> _lights.SunPosition:
     """Where the sun stands over the middle of a raster: azimuth, elevation, angular radius; degrees.
 
     place   the name of a raster file with a CRS, or an image that read or to_image gave
@@ -377,7 +394,9 @@ def sun_position(
     nodata  of a file, as in read
 
     The azimuth counts clockwise from grid north, the elevation is apparent (lifted by the air): what
-    `sun` takes elsewhere.
+    `sun` takes elsewhere. In an eclipse of the sun the tuple also says so, by its attributes magnitude
+    (the covered part of the diameter) and obscuration (the share of the disc that the Moon covers, 0 to
+    1), which are 0 at other times.
 
     >>> azimuth, elevation, radius = sun_position("Testing/Data/dem/SainteHelens.tif", "2026-06-21T20:00Z")
     >>> round(azimuth), round(elevation)

@@ -155,11 +155,38 @@ def _in_image(x: float, y: float, terrain: vtkImageData) -> tuple[float, float]:
     return origin[0] + column * spacing[0], origin[1] + row * spacing[1]
 
 
-def find_direction(terrain: vtkImageData, time: str) -> tuple[float, float, float]:
+class SunPosition(tuple[float, float, float]):
+    """(azimuth, elevation, radius) in degrees, also by name, and the eclipse at that time.
+
+    magnitude     the part of the sun's diameter that the Moon covers; in totality, and with a ring, the
+                  ratio of both diameters; 0 without an eclipse
+    obscuration   the share of the disc's area that it covers, 0 to 1
+    """
+
+    magnitude: float
+    obscuration: float
+
+    @property
+    def azimuth(self) -> float:
+        return self[0]
+
+    @property
+    def elevation(self) -> float:
+        return self[1]
+
+    @property
+    def radius(self) -> float:
+        return self[2]
+
+
+def find_direction(terrain: vtkImageData, time: str) -> SunPosition:
     light = vtkSkylineSunLight()
     light.UseTimeOn()
     light.SetTime(time)
-    found = [0.0, 0.0, 0.0]
+    found, eclipse = [0.0, 0.0, 0.0], [0.0, 0.0]
     with reported(light):
         light.FindDirection(terrain, found)
-    return found[0], found[1], found[2]
+        light.FindEclipse(terrain, eclipse)
+    position = SunPosition(found)
+    position.magnitude, position.obscuration = eclipse
+    return position
