@@ -2,7 +2,9 @@
 #include "Commands.h"
 
 #include "Files.h"
+#include "IdleOptions.h"
 #include "Options.h"
+#include "Values.h"
 
 #include "vtkHeightFieldSkyView.h"
 #include "vtkImageData.h"
@@ -27,6 +29,8 @@ struct SkyViewCommand
   std::vector<std::string> Quantities;
   skyline::Talk Talk;
 
+  void Check(const skyline::IdleOptions& options) const { this->Horizon.RefuseIdle(options); }
+
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
@@ -45,6 +49,7 @@ struct SkyViewCommand
     { return std::find(wanted.begin(), wanted.end(), name) != wanted.end(); };
 
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+    this->Horizon.WarnIdle(terrain, this->Talk);
     vtkNew<vtkHeightFieldSkyView> sky;
     sky->SetInputData(terrain);
     sky->SetNumberOfAzimuths(this->Horizon.Azimuths);
@@ -81,12 +86,17 @@ void AddSkyView(CLI::App& program)
     ->add_option("--quantity", command->Quantities,
       "A quantity to write, see below; may be repeated. Default: all four")
     ->type_name("NAME")
-    ->check(CLI::IsMember(AllQuantities))
+    ->check(OneOf(AllQuantities))
     ->type_size(1)
     ->allow_extra_args(false);
   command->Horizon.AddTo(*app);
   AddTalk(*app, command->Talk);
-  app->callback([command] { command->Run(); });
+  app->callback(
+    [command, app]
+    {
+      command->Check(IdleOptions(*app));
+      command->Run();
+    });
 }
 
 } // namespace skyline
