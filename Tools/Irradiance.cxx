@@ -85,6 +85,7 @@ struct IrradianceCommand
                               "its sun at azimuth 315, elevation 45", "--sun AZ,EL" },
         this->Talk);
     }
+    this->Lights.WarnOfTurnedSky(this->Kind(), this->Talk);
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
     this->Horizon.WarnIdle(terrain, this->Talk);
     vtkNew<vtkHeightFieldIrradiance> light;

@@ -182,8 +182,8 @@ void LightOptions::AddTo(CLI::App& command)
 void LightOptions::AddLampsTo(CLI::App& command)
 {
   AddNumber(command, "--rotation", this->Rotation, AnyAngle,
-    "Degrees by which a light map or a sky around the sun is turned clockwise: its north comes to\n"
-    "this azimuth")
+    "Degrees by which a light map, or a sky that is brighter about the sun, is turned clockwise: its\n"
+    "north comes to this azimuth")
     ->type_name("DEG");
   command
     .add_option("--sun-irradiance", this->SunIrradiance,
@@ -207,15 +207,28 @@ void LightOptions::RefuseIdle(
   this->Sun.RefuseIdle(options);
   options.Refuse(kind == SkyKind::Perez && !this->Sun.Asked(), { "--environment" },
     "perez is a sky of the sun; give the sun by --sun AZ,EL or --time");
-  options.Refuse(kind != SkyKind::Map && kind != SkyKind::Formula, { "--rotation" },
-    kind == SkyKind::Perez ? "the sky of perez stands about its sun; turn the sun by --sun instead"
-                           : "this sky is the same all around; leave it out, or give a light map by "
-                             "--environment");
+  options.Refuse(kind == SkyKind::None || kind == SkyKind::Uniform || kind == SkyKind::Zonal,
+    { "--rotation" },
+    "this sky is the same all around; leave it out, or give a light map by --environment");
   options.Refuse(!sunShines, { "--sun-irradiance", "--sun-radius", "--limb-darkening" },
     "no sun shines; give one by --sun AZ,EL or --time, or leave it out");
   options.Refuse(keyLight && this->Sun.Radius.value_or(0.0) > LargestSun, { "--limb-darkening" },
     "a sun with a radius above " + NumberText(LargestSun) +
       " degrees shines as a key light, without a limb; leave it out");
+}
+
+void LightOptions::WarnOfTurnedSky(SkyKind kind, const Talk& talk) const
+{
+  const auto irradiance = AskedSunIrradiance(*this);
+  const bool shines = !irradiance || *irradiance != std::array<double, 3>{};
+  if (shines && Turned(this->Rotation) != 0.0 &&
+    (kind == SkyKind::Formula || kind == SkyKind::Perez))
+  {
+    PrintWarning(Doubt{ "--rotation turns the sky " + this->Environment +
+                     ", which is brighter about the sun, away from the sun that shines",
+                   "a sky that does not belong to the sun", "" },
+      talk);
+  }
 }
 
 std::vector<LightPointer> MakeLights(

@@ -39,6 +39,9 @@ struct LightOptions
   /// a sun is among the lights; `keyLight`: a wide one is a key light, which has no limb.
   void RefuseIdle(
     const IdleOptions& options, SkyKind kind, bool sunShines, bool keyLight) const;
+
+  /// Warns where --rotation parts a sky from its sun.
+  void WarnOfTurnedSky(SkyKind kind, const Talk& talk) const;
 };
 
 /// Irradiance on a plane that faces the sun, of an --sun-irradiance; none: not given.

@@ -197,6 +197,9 @@ struct ShadeCommand
     skyline::PrepareVtk(this->Talk);
     const skyline::PictureFormat format = skyline::FormatOf(this->Output.File);
     this->Sun.WarnOfZone(this->Talk);
+    skyline::LightOptions lights = this->Lights;
+    lights.Environment = this->Look.Environment;
+    lights.WarnOfTurnedSky(this->Kind(), this->Talk);
     skyline::CheckOutput(this->Output.File, this->Terrain.File);
 
     const auto terrain = this->Exaggerate(skyline::ReadTerrain(this->Terrain, this->Talk));
