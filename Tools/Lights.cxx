@@ -176,10 +176,10 @@ void LightOptions::AddTo(CLI::App& command)
     ->type_name("FILE|NAME")
     ->check(Checked(CheckEnvironment));
   this->Sun.AddTo(command);
-  this->AddLampsTo(command);
+  this->AddLampsTo(command, false);
 }
 
-void LightOptions::AddLampsTo(CLI::App& command)
+void LightOptions::AddLampsTo(CLI::App& command, bool picture)
 {
   AddNumber(command, "--rotation", this->Rotation, AnyAngle,
     "Degrees by which a light map, or a sky that is brighter about the sun, is turned clockwise: its\n"
@@ -187,7 +187,9 @@ void LightOptions::AddLampsTo(CLI::App& command)
     ->type_name("DEG");
   command
     .add_option("--sun-irradiance", this->SunIrradiance,
-      "Of the sun of --time or --sun on a plane that faces it. Default 1, with perez: DIRECT")
+      picture ? "Of the sun on a plane that faces it. Default: that of the day, by which level open ground\n"
+                "gets pi of sun and sky; under a light map 1, with perez: DIRECT"
+              : "Of the sun of --time or --sun on a plane that faces it. Default 1, with perez: DIRECT")
     ->type_name("E|R,G,B")
     ->check(Checked(CheckColor));
   command

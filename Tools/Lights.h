@@ -33,7 +33,7 @@ struct LightOptions
   void AddTo(CLI::App& command);
 
   /// --rotation, --sun-irradiance and --lamp alone.
-  void AddLampsTo(CLI::App& command);
+  void AddLampsTo(CLI::App& command, bool picture = true);
 
   /// Throws WrongUsage for options that cannot act under a sky of this kind; before any work. `sunShines`:
   /// a sun is among the lights; `keyLight`: a wide one is a key light, which has no limb.

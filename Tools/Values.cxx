@@ -204,21 +204,19 @@ CLI::Validator Checked(std::string (*check)(const std::string&))
 
 CLI::Validator OneOf(const std::vector<std::string>& names)
 {
+  std::string all;
+  for (const std::string& name : names)
+  {
+    all += (all.empty() ? "" : ",") + name;
+  }
   return CLI::Validator(
-    [names](std::string& text) -> std::string
+    [names, all](std::string& text)
     {
-      if (std::find(names.begin(), names.end(), text) != names.end())
-      {
-        return "";
-      }
-      std::string all;
-      for (const std::string& name : names)
-      {
-        all += (all.empty() ? "" : ",") + name;
-      }
-      return text + " is not one of " + all + DidYouMean(text, names);
+      return std::find(names.begin(), names.end(), text) != names.end()
+        ? std::string()
+        : text + " is not one of " + all + DidYouMean(text, names);
     },
-    "");
+    "{" + all + "}");
 }
 
 std::string Nearest(const std::string& word, const std::vector<std::string>& names)
