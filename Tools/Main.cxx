@@ -116,7 +116,8 @@ int Run(int argc, char** argv)
   RefuseEmptyValues(program);
   const auto refuse = [&](const std::string& reason)
   {
-    const auto chosen = program.get_subcommands();
+    const auto chosen = program.get_subcommands(
+      [&](const CLI::App* known) { return argc > 1 && known->get_name() == argv[1]; });
     const std::string command = chosen.empty() ? "" : " " + chosen[0]->get_name();
     return Fail(reason + " (see skyline" + command + " --help)", UsageFailure);
   };

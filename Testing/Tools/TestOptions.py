@@ -11,9 +11,10 @@ import re
 import Program
 from Program import UTM10, ToolTest, hills, make, np
 
-TIME = "2026-06-21T16:00Z"
+TIME = "2026-06-21T14:00Z"  # the sun stands low at the DEM
 SUN = ["--sun", "200,20"]
 FEW = ["--azimuths", "8"]
+WIDE = ["--sun-radius", "9"]  # a disc that many posts see in part
 MAP = "MAP"    # a light map
 LAMP = "LAMP"  # a lamp over the DEM
 
@@ -28,7 +29,7 @@ WRITERS = {"horizon": ["out.tif", *FEW], "sky-view": ["out.tif", *FEW], "sun": [
 ACTS = {
     "horizon": [
         (["--band", "2"],), (["--cloud-optimized"],), (["--azimuths", "9"],), (["--method", "sweep"],),
-        (["--method", "fast"],), (["--method", "pyramid"],), (["--surface", "bilinear"],),
+        (["--method", "pyramid"],), (["--surface", "bilinear"],),
         (["--surface", "bilinear"], "--method", "fast"), (["--flat"],), (["--refraction", "0.5"],),
         (["--tolerance", "5"],)],
     "sky-view": [
@@ -37,8 +38,8 @@ ACTS = {
         (["--quantity", "SkyViewFactor"],)],
     "sun": [
         (["--band", "2"],), (["--cloud-optimized"],), (["--method", "sweep"],),
-        (["--surface", "bilinear"],), (["--flat"],), (["--refraction", "0.9"],), (["--tolerance", "5"],),
-        (["--sun-radius", "2"],), (["--limb-darkening"],), (["--limb-darkening"], "--sun-radius", "2"),
+        (["--surface", "bilinear"],), (["--flat"], *WIDE), (["--refraction", "0.9"], *WIDE),
+        (["--tolerance", "5"], *WIDE), (["--sun-radius", "9"],), (["--limb-darkening"], *WIDE),
         (["--time", TIME], "-"), (["--sun", "10,20"], "-"), (["--sun-radius", "2"], "-"),
         (["--band", "2"], "-")],
     "shadow-height": [
@@ -53,7 +54,7 @@ ACTS = {
         (["--rotation", "90"], "--environment", "cie:12", *SUN, "--sun-irradiance", "0"),
         (["--time", TIME],), (SUN,), (["--sun-irradiance", "2"], *SUN),
         (["--sun-irradiance", "2"], "--environment", "perez:500,100", *SUN),
-        (["--sun-radius", "2"], *SUN), (["--limb-darkening"], *SUN), (["--lamp", LAMP],),
+        (["--sun-radius", "2"], *SUN), (["--limb-darkening"], *SUN, "--sun-radius", "3"), (["--lamp", LAMP],),
         (["--method", "sh"],), (["--horizontal"],), (["--quadrature", "linear"],),
         (["--no-refinement"], "--environment", MAP), (["--bands", "6"], "--method", "sh"),
         (["--azimuths", "9"], *SUN, "--sun-radius", "10"), (["--azimuths", "9"], "--method", "sh"),
@@ -164,7 +165,7 @@ class Options(ToolTest):
         super().setUp()
         # Wide posts, so that the Earth's curvature is felt, with hills of a few hundred metres.
         heights = hills(16, 18, relief=4000.0)
-        self.dem = make(self.path("dem.tif"), heights, step=(2000.0, 2000.0), epsg=UTM10)
+        self.dem = make(self.path("dem.tif"), heights, step=(1000.0, 1000.0), epsg=UTM10)
         raster = Program.gdal.Open(self.dem)
         two = Program.gdal.GetDriverByName("GTiff").Create(
             self.path("two.tif"), 18, 16, 2, Program.gdal.GDT_Float64)
@@ -175,7 +176,7 @@ class Options(ToolTest):
         raster = two = None
         os.replace(self.path("two.tif"), self.dem)
         self.words = {MAP: os.path.join(Program.DATA, "light-maps", "sunset_128.hdr"),
-                      LAMP: "518000,5116000,9000,2000"}
+                      LAMP: "509000,5108000,9000,2000"}
 
     def arguments(self, command, further, option):
         """The words of a command, its own defaults replaced where `further` or `option` name them."""
