@@ -12,7 +12,7 @@ import Program
 from Program import UTM10, ToolTest, hills, make, np
 
 TIME = "2026-06-21T14:00Z"  # the sun stands low at the DEM
-SUN = ["--sun", "200,20"]
+SUN = ["--sun", "200,12"]
 FEW = ["--azimuths", "8"]
 WIDE = ["--sun-radius", "9"]  # a disc that many posts see in part
 MAP = "MAP"    # a light map
@@ -165,7 +165,7 @@ class Options(ToolTest):
         super().setUp()
         # Wide posts, so that the Earth's curvature is felt, with hills of a few hundred metres.
         heights = hills(16, 18, relief=4000.0)
-        self.dem = make(self.path("dem.tif"), heights, step=(1000.0, 1000.0), epsg=UTM10)
+        self.dem = make(self.path("dem.tif"), heights, step=(400.0, 400.0), epsg=UTM10)
         raster = Program.gdal.Open(self.dem)
         two = Program.gdal.GetDriverByName("GTiff").Create(
             self.path("two.tif"), 18, 16, 2, Program.gdal.GDT_Float64)
@@ -176,7 +176,7 @@ class Options(ToolTest):
         raster = two = None
         os.replace(self.path("two.tif"), self.dem)
         self.words = {MAP: os.path.join(Program.DATA, "light-maps", "sunset_128.hdr"),
-                      LAMP: "509000,5108000,9000,2000"}
+                      LAMP: "503600,5103200,9000,1000"}
 
     def arguments(self, command, further, option):
         """The words of a command, its own defaults replaced where `further` or `option` name them."""
