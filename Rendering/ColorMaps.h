@@ -24,7 +24,8 @@ struct ColorMap
   std::string_view Description;
   std::array<unsigned int, 11> Colors; ///< the first Count of them
   std::size_t Count;
-  std::size_t SeaCount; ///< the first so many are below height 0 and only there; 0: heights have no sea
+  std::size_t
+    SeaCount; ///< the first so many are below height 0 and only there; 0: heights have no sea
 };
 
 /// The named maps; the first is the default.

@@ -249,8 +249,8 @@ void AddBenchmark(CLI::App& program)
     ->delimiter(',')
     ->allow_extra_args(false)
     ->type_name("N,...")
-    ->check(CLI::Validator(
-      [](std::string& text) { return WhyNotWhole(text, LeastSize, MostSize); }, ""))
+    ->check(
+      CLI::Validator([](std::string& text) { return WhyNotWhole(text, LeastSize, MostSize); }, ""))
     ->default_str(Listed(sizes));
   AddNumber(*app, "--budget", command->Options.Budget,
     { "seconds from 0 to 1000000, as in --budget 600", 0.0, MostBudget },

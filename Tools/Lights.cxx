@@ -187,9 +187,10 @@ void LightOptions::AddLampsTo(CLI::App& command, bool picture)
     ->type_name("DEG");
   command
     .add_option("--sun-irradiance", this->SunIrradiance,
-      picture ? "Of the sun on a plane that faces it. Default: that of the day, by which level open ground\n"
-                "gets pi of sun and sky; under a light map 1, with perez: DIRECT"
-              : "Of the sun of --time or --sun on a plane that faces it. Default 1, with perez: DIRECT")
+      picture
+        ? "Of the sun on a plane that faces it. Default: that of the day, by which level open ground\n"
+          "gets pi of sun and sky; under a light map 1, with perez: DIRECT"
+        : "Of the sun of --time or --sun on a plane that faces it. Default 1, with perez: DIRECT")
     ->type_name("E|R,G,B")
     ->check(Checked(CheckColor));
   command

@@ -37,8 +37,7 @@ struct LightOptions
 
   /// Throws WrongUsage for options that cannot act under a sky of this kind; before any work. `sunShines`:
   /// a sun is among the lights; `keyLight`: a wide one is a key light, which has no limb.
-  void RefuseIdle(
-    const IdleOptions& options, SkyKind kind, bool sunShines, bool keyLight) const;
+  void RefuseIdle(const IdleOptions& options, SkyKind kind, bool sunShines, bool keyLight) const;
 
   /// Warns where --rotation parts a sky from its sun.
   void WarnOfTurnedSky(SkyKind kind, const Talk& talk) const;

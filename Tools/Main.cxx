@@ -32,8 +32,9 @@ int Fail(const std::string& reason, int code)
 /// What an empty value says, of an option whose shell variable was not set.
 std::string WhyEmpty(const std::string& text)
 {
-  return text.empty() ? "the value is empty (a variable that is not set?); give one, or leave it out"
-                      : "";
+  return text.empty()
+    ? "the value is empty (a variable that is not set?); give one, or leave it out"
+    : "";
 }
 
 // The option that is written `--name=` and nothing behind it, which CLI11 would give the next word;

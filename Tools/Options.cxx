@@ -44,8 +44,8 @@ void TerrainOptions::AddTo(CLI::App& command)
   command.add_option("DEM", this->File, "Raster of heights: any file that GDAL opens")
     ->required()
     ->type_name("");
-  AddWhole(command, "--band", this->Band, 1, std::numeric_limits<int>::max(),
-    "Band of the raster, from 1")
+  AddWhole(
+    command, "--band", this->Band, 1, std::numeric_limits<int>::max(), "Band of the raster, from 1")
     ->type_name("N");
 }
 
@@ -115,8 +115,8 @@ void HorizonOptions::RefuseIdle(const IdleOptions& options) const
 {
   const bool triangles = this->Method == "sweep" || this->Method == "pyramid";
   options.Refuse(triangles && this->Surface != "triangles", { "--surface" },
-    this->Surface + " is not a surface of " + this->Method + "; leave it out, or find horizons by " +
-      this->MethodName + " exact or fast");
+    this->Surface + " is not a surface of " + this->Method +
+      "; leave it out, or find horizons by " + this->MethodName + " exact or fast");
   options.Refuse(this->Method != "exact", { "--tolerance" },
     "only the method exact has one; leave it out, or find horizons by " + this->MethodName +
       " exact");
@@ -129,8 +129,8 @@ void HorizonOptions::WarnIdle(vtkImageData* terrain, const Talk& talk) const
   const Georeference place = LoadGeoreference(terrain);
   if (this->Refraction && !(place.OnBody() && place.Earth))
   {
-    const std::string where =
-      place.OnBody() ? "the DEM lies on another body" : "the DEM has no CRS that places it on a body";
+    const std::string where = place.OnBody() ? "the DEM lies on another body"
+                                             : "the DEM has no CRS that places it on a body";
     PrintWarning(
       Doubt{ "--refraction acts on the Earth alone, and " + where, "no refraction", "" }, talk);
   }

@@ -187,8 +187,8 @@ struct ShadeCommand
       return;
     }
     skyline::PrintWarning(
-      skyline::Doubt{ "--sun-irradiance is given, and the sun is below the horizon",
-        "no light of the sun", "" },
+      skyline::Doubt{
+        "--sun-irradiance is given, and the sun is below the horizon", "no light of the sun", "" },
       this->Talk);
   }
 

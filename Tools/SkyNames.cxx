@@ -27,8 +27,7 @@ std::string Check(const std::string& name, const std::vector<std::string>& names
   double direct = 0.0, diffuse = 0.0;
   if (StartsWith(name, Cie))
   {
-    return skyline::CieType(name, type) ? ""
-                                        : "no sky is named " + name + "; give cie:1 to cie:16";
+    return skyline::CieType(name, type) ? "" : "no sky is named " + name + "; give cie:1 to cie:16";
   }
   if (StartsWith(name, Perez))
   {

@@ -98,8 +98,8 @@ void SunOptions::WarnOfZone(const Talk& talk) const
 {
   if (!this->Time.empty() && !NamesZone(this->Time))
   {
-    PrintWarning(
-      Doubt{ "the time " + this->Time + " has no zone", "UTC", "--time " + ToText(ParseUtcTime(this->Time)) },
+    PrintWarning(Doubt{ "the time " + this->Time + " has no zone", "UTC",
+                   "--time " + ToText(ParseUtcTime(this->Time)) },
       talk);
   }
 }

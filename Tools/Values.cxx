@@ -190,8 +190,8 @@ CLI::Option* AddWhole(CLI::App& command, const std::string& name, int& target, i
 {
   return command
     .add_option_function<std::string>(
-      name,
-      [&target](const std::string& text) { target = static_cast<int>(*ReadNumber(text)); }, help)
+      name, [&target](const std::string& text) { target = static_cast<int>(*ReadNumber(text)); },
+      help)
     ->check(CLI::Validator(
       [least, most](std::string& text) { return WhyNotWhole(text, least, most); }, ""))
     ->default_str(std::to_string(target));
