@@ -38,7 +38,7 @@ ACTS = {
         (["--quantity", "SkyViewFactor"],)],
     "sun": [
         (["--band", "2"],), (["--cloud-optimized"],), (["--method", "sweep"],),
-        (["--surface", "bilinear"],), (["--flat"], *WIDE), (["--refraction", "0.9"], *WIDE),
+        (["--surface", "bilinear"], *WIDE), (["--flat"], *WIDE), (["--refraction", "0.9"], *WIDE),
         (["--tolerance", "5"], *WIDE), (["--sun-radius", "9"],), (["--limb-darkening"], *WIDE),
         (["--time", TIME], "-"), (["--sun", "10,20"], "-"), (["--sun-radius", "2"], "-"),
         (["--band", "2"], "-")],
