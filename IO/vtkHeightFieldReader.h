@@ -18,7 +18,11 @@
  * Field data carries the georeference (vtkSkylineGeoreference.h) of the extent that was delivered,
  * which is the extent asked for: only that part of the file is read. Spacing and RowSpacing are the
  * whole raster's, so that a part is what the whole has there. NodataValue is the value the file
- * declares for missing posts.
+ * declares for missing posts, else the first finite one of AddNodata.
+ *
+ * Input that may not mean what it seems to mean is read as it stands, with a warning (WarningEvent) of
+ * what was found, what is assumed, and the cure: heights that look like missing posts, no geotransform,
+ * degrees without a CRS, units that contradict each other (Documentation/input.md).
  *
  * A failure is one line through ErrorEvent, which names the file, the value and the cure, and an
  * error code (GetErrorCode). An abort leaves an empty output and the code vtkErrorCode::UserError.
@@ -28,6 +32,8 @@
 
 #include "SkylineIOModule.h" // for the export macro
 #include "vtkImageAlgorithm.h"
+
+#include <vector>
 
 class SKYLINEIO_EXPORT vtkHeightFieldReader : public vtkImageAlgorithm
 {
@@ -52,6 +58,17 @@ public:
   vtkGetMacro(Band, int);
   ///@}
 
+  ///@{
+  /**
+   * Values of missing posts besides the one that the file declares, as the band has them (before its
+   * scale and unit); any number, NaN and infinities (which are missing anyway) too. Default: none.
+   */
+  void AddNodata(double value);
+  void RemoveAllNodata();
+  int GetNumberOfNodata();
+  double GetNodata(int index);
+  ///@}
+
 protected:
   vtkHeightFieldReader();
   ~vtkHeightFieldReader() override;
@@ -71,6 +88,7 @@ private:
 
   char* FileName = nullptr;
   int Band = 1;
+  std::vector<double> Nodata;
 };
 
 #endif

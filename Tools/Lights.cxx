@@ -237,7 +237,7 @@ void LightOptions::WarnOfTurnedSky(SkyKind kind, const Talk& talk) const
 std::vector<LightPointer> MakeLights(
   const LightOptions& options, vtkImageData* terrain, const Talk& talk)
 {
-  const Center center = CenterOf(terrain);
+  const Center center = CenterOf(terrain, talk);
   const SunLight sun = FindSun(options.Sun, center.Place, center.Height);
   const bool sunAsked = options.Sun.Asked();
   const bool perez = KindOfSky(options.Environment) == SkyKind::Perez;

@@ -47,6 +47,13 @@ void TerrainOptions::AddTo(CLI::App& command)
   AddWhole(
     command, "--band", this->Band, 1, std::numeric_limits<int>::max(), "Band of the raster, from 1")
     ->type_name("N");
+  command
+    .add_option("--nodata", this->Nodata,
+      "Posts of this value have no height, besides those that the file declares missing: any number\n"
+      "as the file has it, before scale and unit; may be repeated")
+    ->type_name("V")
+    ->type_size(1)
+    ->allow_extra_args(false);
 }
 
 void OutputOptions::AddTo(CLI::App& command, const std::string& what, bool required, bool raster)

@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 class vtkImageData;
 
@@ -18,11 +19,12 @@ namespace skyline
 
 class IdleOptions;
 
-/// DEM, --band: what is read.
+/// DEM, --band, --nodata: what is read.
 struct TerrainOptions
 {
   std::string File;
   int Band = 1;
+  std::vector<double> Nodata; ///< besides the file's own
   void AddTo(CLI::App& command);
 };
 

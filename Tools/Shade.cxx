@@ -204,7 +204,7 @@ struct ShadeCommand
 
     const auto terrain = this->Exaggerate(skyline::ReadTerrain(this->Terrain, this->Talk));
     this->Horizon.WarnIdle(terrain, this->Talk);
-    const skyline::Center center = skyline::CenterOf(terrain);
+    const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
     const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
 
     const bool air = !center.Place.OnBody() || center.Place.Earth;

@@ -46,7 +46,7 @@ struct ShadowHeightCommand
     }
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
     this->Horizon.WarnIdle(terrain, this->Talk);
-    const skyline::Center center = skyline::CenterOf(terrain);
+    const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
     const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
     vtkNew<vtkShadowHeightMap> shadow;
     shadow->SetInputData(terrain);

@@ -19,7 +19,8 @@ MAP = "MAP"    # a light map
 LAMP = "LAMP"  # a lamp over the DEM
 
 # Options that change no byte of a result: how much is said, and how much of the machine is used.
-TALK = {"--help", "--quiet", "--verbose", "--threads"}
+TALK = {"--help", "--quiet", "--verbose", "--threads",
+        "--nodata"}  # has tests of its own
 
 WRITERS = {"horizon": ["out.tif", *FEW], "sky-view": ["out.tif", *FEW], "sun": ["out.tif", *SUN],
            "shadow-height": ["out.tif", *SUN], "irradiance": ["out.tif", *FEW],
