@@ -14,6 +14,14 @@
 #include <exception>
 #include <new>
 
+namespace
+{
+
+// Near hot ground k was measured down to about -5. Far below -100 all terrain would sink away.
+constexpr double LeastRefraction = -100.0;
+
+} // namespace
+
 vtkHeightFieldAlgorithm::vtkHeightFieldAlgorithm()
   : RefractionCoefficient(skyline::TerrestrialRefraction)
   , Kept(std::make_unique<skyline::KeptPyramid>())
@@ -71,10 +79,10 @@ int vtkHeightFieldAlgorithm::RequestData(
       throw std::invalid_argument("the heights have " +
         std::to_string(heights->GetNumberOfComponents()) + " components; give one a post");
     }
-    if (!(this->RefractionCoefficient < 1.0))
+    if (!(this->RefractionCoefficient >= LeastRefraction && this->RefractionCoefficient < 1.0))
     {
       throw std::invalid_argument("the refraction coefficient is " +
-        std::to_string(this->RefractionCoefficient) + "; give one below 1, 0.13 in usual air");
+        std::to_string(this->RefractionCoefficient) + "; give -100 to below 1, 0.13 in usual air");
     }
     skyline::HorizonScene::Options options;
     options.Settings.Method = static_cast<skyline::HorizonMethodKind>(this->Method);

@@ -74,7 +74,7 @@ public:
 
   ///@{
   /// Terrestrial refraction k: a post at distance d sinks by (1 - k) d^2 / 2R. Counts on the Earth
-  /// alone; default 0.13, any value below 1.
+  /// alone; default 0.13, -100 to below 1.
   vtkSetMacro(RefractionCoefficient, double);
   vtkGetMacro(RefractionCoefficient, double);
   ///@}

@@ -5,6 +5,7 @@
 #include "HarmonicBands.h"
 #include "HarmonicLight.h"
 #include "HorizonScene.h"
+#include "LampReach.h"
 #include "LightAzimuths.h"
 #include "LightPasses.h"
 #include "VisibilityAccumulator.h"
@@ -12,6 +13,7 @@
 #include "vtkSkylineKeyLight.h"
 #include "vtkSkylineLampLight.h"
 #include "vtkSkylineSunLight.h"
+#include "vtkSkylineWarning.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -376,9 +378,19 @@ bool vtkHeightFieldIrradiance::AddLamps(skyline::HorizonScene& scene, const Sort
   vtkImageData* image, const skyline::LitPosts& posts)
 {
   const double* origin = image->GetOrigin();
+  double bounds[6];
+  image->GetBounds(bounds);
+  int number = 0;
   for (vtkSkylineLampLight* lamp : lights.Lamps)
   {
     ++this->LampPasses;
+    const double* place = lamp->GetPosition();
+    const auto doubt = skyline::FarLamp(++number, { place[0], place[1], lamp->GetRadius() },
+      { { bounds[0], bounds[1], bounds[2], bounds[3] } });
+    if (doubt)
+    {
+      skyline::Warn(this, *doubt);
+    }
     if (!skyline::AddLamp(scene, { origin[0], origin[1] }, lamp, posts))
     {
       return false;

@@ -79,9 +79,14 @@ void vtkSkylineEnvironmentLight::FillPixels()
   }
   const double elevation = this->SunElevation * RadiansPerDegree;
   const bool perez = this->Source == PEREZ;
+  this->Pixels.resize(3 * static_cast<std::size_t>(SkyWidth) * SkyHeight);
+  if (perez && elevation <= 0.0)
+  {
+    std::fill(this->Pixels.begin(), this->Pixels.end(), 0.0f); // the sun is down
+    return;
+  }
   const SkyModel sky = perez ? PerezSky(this->DirectIrradiance, this->DiffuseIrradiance, elevation)
                              : CieSky(this->CieType);
-  this->Pixels.resize(3 * static_cast<std::size_t>(SkyWidth) * SkyHeight);
   FillSky(sky, std::fmod(this->SunAzimuth, 360.0) * RadiansPerDegree, elevation,
     { perez, perez ? this->DiffuseIrradiance : 1.0 }, SkyWidth, SkyHeight, this->Pixels.data());
 }

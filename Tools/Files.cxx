@@ -269,7 +269,7 @@ PictureFormat FormatOf(const std::string& file)
   {
     return PictureFormat::Tiff;
   }
-  throw Failure("cannot write '" + file + "': a picture's name ends in .png, .exr or .tif");
+  throw WrongUsage("--output: cannot write '" + file + "': a picture's name ends in .png, .exr or .tif");
 }
 
 void WritePicture(

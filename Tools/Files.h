@@ -49,7 +49,7 @@ enum class PictureFormat
   Tiff
 };
 
-/// By the file's name; throws Failure for another one.
+/// By the file's name; throws WrongUsage for another one.
 PictureFormat FormatOf(const std::string& file);
 
 /// Writes the picture that vtkHeightFieldShading made: Radiance as EXR, Picture as PNG or GeoTIFF.

@@ -8,11 +8,16 @@
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
+class vtkImageData;
+
 namespace skyline
 {
+
+class IdleOptions;
 
 /// DEM, --band, --nodata: what is read.
 struct TerrainOptions
@@ -28,7 +33,15 @@ struct OutputOptions
 {
   std::string File;
   bool CloudOptimized = false;
-  void AddTo(CLI::App& command, const std::string& what, bool required = true);
+  void AddTo(CLI::App& command, const std::string& what, bool required = true, bool raster = true);
+};
+
+/// What a command wants to know about horizons.
+struct HorizonNeeds
+{
+  bool Azimuths = true; ///< --azimuths
+  bool Heights = false; ///< shadow heights: no pyramid, no other surface, no tolerance
+  const char* Method = "--method";
 };
 
 /// --azimuths, --method, --surface, --flat, --refraction, --tolerance: how horizons are found.
@@ -38,28 +51,32 @@ struct HorizonOptions
   std::string Method = "exact";
   std::string Surface = "triangles";
   bool Flat = false;
-  double Refraction = TerrestrialRefraction;
+  std::optional<double> Refraction; ///< none: TerrestrialRefraction
   double Tolerance = 0.0;
-  void AddTo(CLI::App& command, bool azimuths = true, const char* method = "--method");
+  void AddTo(CLI::App& command, const HorizonNeeds& needs = {});
 
-  /// Sets the properties that all filters of horizons share. Throws Failure for values out of
-  /// range.
+  /// Throws WrongUsage for options that cannot act; before any work.
+  void RefuseIdle(const IdleOptions& options) const;
+
+  /// Warns of options that cannot act on this terrain.
+  void WarnIdle(vtkImageData* terrain, const Talk& talk) const;
+
+  /// Sets the properties that all filters of horizons share.
   template <typename Filter>
   void Apply(Filter* filter) const
   {
-    this->Check();
     filter->SetMethod(this->Method == "exact" ? Filter::EXACT
         : this->Method == "fast"              ? Filter::FAST
         : this->Method == "sweep"             ? Filter::SWEEP
                                               : Filter::PYRAMID);
     filter->SetSurface(this->Surface == "triangles" ? Filter::TRIANGLES : Filter::BILINEAR);
     filter->SetFlat(this->Flat);
-    filter->SetRefractionCoefficient(this->Refraction);
+    filter->SetRefractionCoefficient(this->Refraction.value_or(TerrestrialRefraction));
     filter->SetTolerance(this->Tolerance);
   }
 
 private:
-  void Check() const; // the filters clamp
+  std::string MethodName = "--method";
 };
 
 /// --quiet, --verbose, --threads.

@@ -2,7 +2,9 @@
 #include "Commands.h"
 
 #include "Files.h"
+#include "IdleOptions.h"
 #include "Options.h"
+#include "Values.h"
 
 #include "vtkHeightFieldSkyView.h"
 #include "vtkImageData.h"
@@ -31,6 +33,8 @@ struct SkyViewCommand
   std::optional<double> EdgeDistance; // metres
   skyline::Talk Talk;
 
+  void Check(const skyline::IdleOptions& options) const { this->Horizon.RefuseIdle(options); }
+
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
@@ -54,6 +58,7 @@ struct SkyViewCommand
     }
 
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+    this->Horizon.WarnIdle(terrain, this->Talk);
     vtkNew<vtkHeightFieldSkyView> sky;
     sky->SetInputData(terrain);
     sky->SetNumberOfAzimuths(this->Horizon.Azimuths);
@@ -102,7 +107,7 @@ void AddSkyView(CLI::App& program)
     ->add_option("--quantity", command->Quantities,
       "A quantity to write, see below; may be repeated. Default: all but EdgeTrust")
     ->type_name("NAME")
-    ->check(CLI::IsMember(AllQuantities))
+    ->check(OneOf(AllQuantities))
     ->type_size(1)
     ->allow_extra_args(false);
   app
@@ -113,7 +118,12 @@ void AddSkyView(CLI::App& program)
     ->check(CLI::Range(0.0, 1e9));
   command->Horizon.AddTo(*app);
   AddTalk(*app, command->Talk);
-  app->callback([command] { command->Run(); });
+  app->callback(
+    [command, app]
+    {
+      command->Check(IdleOptions(*app));
+      command->Run();
+    });
 }
 
 } // namespace skyline

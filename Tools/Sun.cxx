@@ -4,6 +4,7 @@
 #include "Eclipse.h"
 #include "Failure.h"
 #include "Files.h"
+#include "IdleOptions.h"
 #include "Options.h"
 #include "SunLight.h"
 #include "UtcTime.h"
@@ -74,6 +75,7 @@ struct SunCommand
   {
     skyline::CheckOutput(this->Output.File, this->Terrain.File);
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+    this->Horizon.WarnIdle(terrain, this->Talk);
     vtkNew<vtkHeightFieldSunShadow> shadow;
     shadow->SetInputData(terrain);
     this->Horizon.Apply(shadow.Get());
@@ -83,9 +85,20 @@ struct SunCommand
     skyline::WriteRaster(shadow, { "SunVisibility" }, this->Output, this->Talk);
   }
 
+  void Check(const skyline::IdleOptions& options) const
+  {
+    this->Horizon.RefuseIdle(options);
+    this->Sun.RefuseIdle(options);
+    options.Refuse(this->Output.File.empty(),
+      { "--cloud-optimized", "--limb-darkening", "--method", "--surface", "--flat", "--refraction",
+        "--tolerance" },
+      "without -o no shadow is computed; add -o FILE, or leave it out");
+  }
+
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
+    this->Sun.WarnOfZone(this->Talk);
     if (this->Output.File.empty())
     {
       this->Print();
@@ -117,9 +130,16 @@ void AddSun(CLI::App& program)
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write; without it the sun's position is printed", false);
   command->Sun.AddTo(*app);
-  command->Horizon.AddTo(*app, false);
+  HorizonNeeds needs;
+  needs.Azimuths = false;
+  command->Horizon.AddTo(*app, needs);
   AddTalk(*app, command->Talk);
-  app->callback([command] { command->Run(); });
+  app->callback(
+    [command, app]
+    {
+      command->Check(IdleOptions(*app));
+      command->Run();
+    });
 }
 
 } // namespace skyline

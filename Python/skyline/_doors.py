@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 
-from . import _check, _lights
+from . import _check, _lights, _warnings
 from ._images import FileName, Nodata, Row0, Spacing, _names, _quoted, read, to_array, to_image
 from ._run import run
 from .SkylineFilters import (
@@ -122,6 +122,8 @@ def _terrain(
         array.SetName("Elevation")
         copy.GetPointData().SetScalars(array)
         image = copy
+    if method in ("sweep", "pyramid") and surface == "bilinear":
+        raise ValueError(f"surface is 'bilinear', which {method!r} does not know; give method='exact' or 'fast'")
     return _Terrain(
         image, row0, as_image, array.GetName(), _check.choice("method", method, _METHODS),
         _check.choice("surface", surface, _SURFACES), _check.flag("flat", flat))
@@ -240,8 +242,8 @@ def sun_visibility(
 
     z, spacing, options   as in horizon
     sun        (azimuth, elevation), degrees: clockwise from grid north, apparent elevation
-    time       in place of `sun`: UTC, "2026-06-21T06:00Z", a datetime with a zone, or numpy.datetime64;
-               1900 to 2100. Needs a place: a file, an image from read, or crs and transform
+    time       in place of `sun`: "2026-06-21T06:00Z" or as Python and pandas print it (without a zone:
+               UTC, with a warning), a datetime with a zone, or numpy.datetime64 (UTC); 1900 to 2100. Needs a place: a file, an image from read, or crs and transform
     radius     of the disc, degrees, 0 (hard shadows) to below 90; default 0.26645, with time the true one
     limb_darkening   let the disc darken towards its limb
 
@@ -269,7 +271,9 @@ def sun_visibility(
     if radius is not None:
         filter_.SetTrueRadius(False)
         filter_.SetSunAngularRadius(_lights.check_radius(radius))
-    filter_.SetLimbDarkening(_check.flag("limb_darkening", limb_darkening))
+    if _check.flag("limb_darkening", limb_darkening) and radius == 0:
+        raise ValueError("radius is 0, a point without a limb; leave limb_darkening out")
+    filter_.SetLimbDarkening(limb_darkening)
     return terrain.result(filter_, "SunVisibility")
 
 
@@ -299,6 +303,10 @@ def shadow_height(
     array([30., 20., 10.,  0.,  0.,  0.], dtype=float32)
     """
     terrain = _terrain(z, spacing, **options)
+    if terrain.method == _METHODS.index("pyramid"):
+        raise ValueError("method is 'pyramid', which has no shadow heights; give 'exact' or 'sweep'")
+    if terrain.surface != 0:
+        raise ValueError("surface is 'bilinear', which has no shadow heights; leave it out")
     azimuth, elevation = _check.direction("sun", sun)
     filter_ = vtkShadowHeightMap()
     filter_.SetSunAzimuth(azimuth)
@@ -331,7 +339,7 @@ def irradiance(
 
     z, spacing, options   as in horizon
     environment    the sky: "uniform" (radiance 1), "cie:1" to "cie:16" (radiance 1 in the zenith),
-                   "perez:DIRECT,DIFFUSE" (W/m2; its sun shines too), a .hdr or .exr file, or a light map
+                   "perez:DIRECT,DIFFUSE" (W/m2; its sun, which must be given, shines too), a .hdr or .exr file, or a light map
                    (rows, 2 rows, 3): linear RGB, row 0 the zenith, the centre column north. Default
                    "uniform" if there is no other light
     sun, time      where the sun stands, as in sun_visibility; the sun of a sky too
@@ -340,7 +348,7 @@ def irradiance(
     lamps          glowing balls (x, y, z, radius) or (x, y, z, radius, red, green, blue): x and y in the
                    CRS, without one metres from the south-west post; z and radius in metres; radiance 1
     lights         further vtkSkylineLight objects
-    rotation       degrees by which the environment is turned clockwise
+    rotation       degrees by which a light map, or a sky that is brighter about its sun, is turned clockwise
     azimuths       evenly spread; more are added where a light map is bright
     horizontal     level receivers in place of the posts' own planes
     light_method   "table", or "sh": spherical harmonics, a blur
@@ -362,18 +370,31 @@ def irradiance(
             raise TypeError(f"lights[{place}] is {_check.short(light)}; give a vtkSkylineLight")
     if sun is not None and time is not None:
         raise TypeError("give sun=(azimuth, elevation), or time, and not both")
+    time = None if time is None else _check.moment(time)
     direction = None if sun is None else _check.direction("sun", sun)
     if time is not None:
         direction = list(sun_position(terrain.image, time)[:2])
     if environment is None and direction is None and not lamps and not lights:
         environment = "uniform"
+    if environment is None and _check.number("rotation", rotation, "degrees") != 0.0:
+        raise ValueError(f"rotation is {rotation:g}, but no light map is given; leave it out")
+    if direction is None:
+        for name, value in {"sun_irradiance": sun_irradiance, "radius": radius}.items():
+            if value is not None:
+                raise ValueError(f"{name} is given, but no sun shines; give sun or time")
+    if environment is None and direction is None and not lights and light_method == "sh":
+        raise ValueError("light_method is 'sh', but lamps are no matter of it; leave it out")
     if environment is not None:
         sky = _lights.environment_light(environment, rotation, direction)
         filter_.AddLight(sky)
         if sky.GetSource() == sky.PEREZ:
-            direction = direction or [sky.GetSunAzimuth(), sky.GetSunElevation()]
             if sun_irradiance is None:
                 sun_irradiance = sky.GetDirectIrradiance()
+        if rotation != 0.0 and sky.GetSource() != sky.IMAGE and np.any(
+                np.asarray(1.0 if sun_irradiance is None else sun_irradiance)):
+            _warnings.doubt(
+                f"rotation turns the sky {environment}, which is brighter about the sun, away from the sun",
+                "a sky that does not belong to the sun")
     strength = 1.0 if sun_irradiance is None else sun_irradiance
     if time is not None:
         filter_.AddLight(_lights.sun_of_time(time, strength, radius))

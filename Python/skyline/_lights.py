@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from typing import Any, Iterable
 
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-from . import _check
+from . import _check, _warnings
 from ._images import _numeric, _to_vtk
 from ._run import reported, run
 from .SkylineFilters import (
@@ -21,6 +22,9 @@ from .SkylineFilters import (
     vtkSkylineSunLight,
 )
 from .SkylineIO import vtkLightMapReader
+
+_ZONAL = (1, 3, 5, 16)  # the CIE skies that are the same all around
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)  # no "inf", "1_000" or " 1"
 
 MEAN_SUN_RADIUS = 0.26645  # degrees, as in vtkHeightFieldSunShadow
 LARGEST_SUN = 3.0  # degrees: greater discs are key lights
@@ -45,16 +49,20 @@ def environment_light(environment: Any, rotation: Any, sun: Any) -> vtkSkylineEn
         light.SetImage(environment)
     else:
         light.SetImage(_light_map(environment))
+    same = light.GetSource() == light.UNIFORM or (
+        light.GetSource() == light.CIE and light.GetCieType() in _ZONAL)
+    if rotation != 0.0 and same:
+        raise ValueError(
+            f"rotation is {rotation:g}, but this sky is the same all around; leave it out, or give a light map")
     return light
 
 
 def _set_sky(
     light: vtkSkylineEnvironmentLight, name: str, kind: str, rest: str, sun: Any
 ) -> None:
-    try:
-        given = [float(part) for part in rest.split(",")]
-    except ValueError:
-        given = []
+    parts = rest.split(",")
+    given = [float(part) for part in parts] if all(map(_NUMBER.fullmatch, parts)) else []
+    given = given if all(map(math.isfinite, given)) else []
     if kind == "cie" and len(given) == 1 and given[0] in range(1, 17):
         light.SetSourceToCie()
         light.SetCieType(int(given[0]))
@@ -62,11 +70,18 @@ def _set_sky(
         light.SetSourceToPerez()
         light.SetDirectIrradiance(given[0])
         light.SetDiffuseIrradiance(given[1])
+        if sun is None:
+            raise ValueError(
+                f"environment is {name!r}, a sky of the sun; give sun=(azimuth, elevation) or time")
     else:
         raise ValueError(f"environment is {name!r}; give {_SKIES}")
     if sun is not None:
-        light.SetSunAzimuth(sun[0] - light.GetRotation())
+        light.SetSunAzimuth(sun[0])
         light.SetSunElevation(sun[1])
+    elif kind == "cie" and light.GetCieType() not in _ZONAL:
+        _warnings.doubt(
+            f"the sky {name} is brighter about the sun, and no sun is given",
+            "its sun at azimuth 315, elevation 45", "sun=(azimuth, elevation)")
 
 
 def _light_map(pixels: Any) -> vtkImageData:

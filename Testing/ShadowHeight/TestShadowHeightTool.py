@@ -73,10 +73,10 @@ class ShadowHeight(ToolTest):
     def test_refusals(self):
         dem = make(self.path("dem.tif"), hills(5, 6))
         out = ["-o", self.path("no.tif")]
-        self.refused(1, "shadow-height", dem, *out, "--limb-darkening", says="--limb-darkening")
-        self.refused(1, "shadow-height", dem, *out, "--method", "pyramid", says="pyramid")
-        self.refused(1, "shadow-height", dem, *out, "--surface", "bilinear", says="triangles")
-        self.refused(1, "shadow-height", dem, *out, "--sun", "10,91", says="elevation 91")
+        self.refused(2, "shadow-height", dem, *out, "--limb-darkening", says="--limb-darkening")
+        self.refused(2, "shadow-height", dem, *out, "--method", "pyramid", says="exact,fast,sweep")
+        self.refused(2, "shadow-height", dem, *out, "--surface", "bilinear", says="--surface")
+        self.refused(2, "shadow-height", dem, *out, "--sun", "10,91", says="elevation 91")
         self.refused(2, "shadow-height", dem, says="--output")
         self.assertFalse(os.path.exists(self.path("no.tif")))
 
