@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RasterSource.h"
 
+#include "DeclaredCrs.h"
 #include "IoFailure.h"
 #include "LengthUnit.h"
 #include "RowSpacing.h"
@@ -103,13 +104,17 @@ GDALDataType GdalTypeOf(int vtkType)
 
 } // namespace
 
-RasterSource::RasterSource(const std::string& file, int band)
+RasterSource::RasterSource(
+  const std::string& file, int band, const SourcePolicy& policy, const std::string& spooled)
   : File(file)
+  , Opened(spooled.empty() ? file : spooled)
+  , Guard(this->Opened, policy, spooled.empty() ? "" : ".")
 {
   this->Open(band);
   this->ReadTransform();
   this->ReadPlace();
   this->ReadValues();
+  this->CheckComplaints();
 }
 
 void RasterSource::Refuse(const std::string& reason) const
@@ -117,20 +122,82 @@ void RasterSource::Refuse(const std::string& reason) const
   throw IoFailure(vtkErrorCode::FileFormatError, "cannot use '" + this->File + "': " + reason);
 }
 
+/// What the file leads to and may not comes before what GDAL made of it.
+void RasterSource::CheckRefusal() const
+{
+  if (!this->Guard.GetRefusal().empty())
+  {
+    this->Refuse(this->Guard.GetRefusal());
+  }
+}
+
+/// What GDAL complained about so far: a failure is refused although the file opened, for GDAL goes on
+/// without the CRS, mask or georeference that it could not read.
+void RasterSource::CheckComplaints()
+{
+  this->CheckRefusal();
+  if (this->Errors.Any())
+  {
+    this->Refuse("GDAL could not read all of it: " + this->Errors.First() +
+      "; correct the file, or the setup of GDAL and PROJ (gdalinfo shows the same)");
+  }
+  for (const std::string& warning : this->Errors.GetWarnings())
+  {
+    this->Doubts.push_back(
+      { "GDAL warns about '" + this->File + "': " + warning, "the rest of the file is right", "" });
+  }
+  this->Errors.Clear();
+}
+
+void RasterSource::FailToOpen()
+{
+  this->CheckRefusal();
+  const std::string driver = this->Guard.DriverRefusal(this->Opened);
+  this->CheckRefusal();
+  if (!driver.empty())
+  {
+    this->Refuse(driver);
+  }
+  VSIStatBufL status;
+  const bool found = VSIStatL(this->Opened.c_str(), &status) == 0;
+  const unsigned long code =
+    found ? vtkErrorCode::UnrecognizedFileTypeError : vtkErrorCode::FileNotFoundError;
+  throw IoFailure(code,
+    "cannot read '" + this->File + "': " + this->Errors.First() +
+      (found ? "; give a raster that gdalinfo can open" : "; check the path"));
+}
+
+/// No CRS is a map in metres; a CRS that could not be read is not.
+void RasterSource::CheckCrs()
+{
+  const OGRSpatialReference* crs = this->Dataset->GetSpatialRef();
+  if (crs && !crs->IsEmpty())
+  {
+    return;
+  }
+  this->CheckComplaints(); // which say more
+  const UnreadCrs unread = FindUnreadCrs(*this->Dataset);
+  if (!unread.Part.empty())
+  {
+    this->Refuse("the CRS that " + unread.Part +
+      " declares cannot be read; assign the right one (gdal_edit.py -a_srs)");
+  }
+  if (!unread.Beside.empty())
+  {
+    this->Doubts.push_back({ "'" + this->File + "' has no CRS that GDAL reads, though '" +
+        unread.Beside + "' lies beside it",
+      "x and y in metres", "gdal_edit.py -a_srs" });
+  }
+}
+
 void RasterSource::Open(int band)
 {
-  VSIStatBufL status;
-  const bool found = VSIStatL(this->File.c_str(), &status) == 0;
-  this->Dataset.reset(GDALDataset::Open(
-    this->File.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+  this->Dataset.reset(this->Guard.Open(this->Opened));
   if (!this->Dataset)
   {
-    const unsigned long code =
-      found ? vtkErrorCode::UnrecognizedFileTypeError : vtkErrorCode::FileNotFoundError;
-    throw IoFailure(code,
-      "cannot read '" + this->File + "': " + this->Errors.First() +
-        (found ? "; give a raster that gdalinfo can open" : "; check the path"));
+    this->FailToOpen();
   }
+  this->CheckRefusal();
 
   const int bands = this->Dataset->GetRasterCount();
   if (bands == 0)
@@ -154,6 +221,7 @@ void RasterSource::Open(int band)
     this->Refuse(std::to_string(this->Columns) + " x " + std::to_string(this->Rows) +
       " posts make no surface; give at least 2 x 2");
   }
+  this->CheckCrs();
 }
 
 void RasterSource::ReadTransform()
@@ -349,6 +417,7 @@ void RasterSource::Read(const PostWindow& window, void* heights, const ProgressF
     default:
       break;
   }
+  this->CheckComplaints();
 }
 
 /// Raw values to metres, in place; false when none of them is a height.
@@ -417,6 +486,7 @@ void RasterSource::ReadAs(const PostWindow& window, T* heights, const ProgressFu
     }
     if (failed != CE_None || this->Errors.Any())
     {
+      this->CheckRefusal();
       throw IoFailure(vtkErrorCode::PrematureEndOfFileError,
         "cannot read row " + std::to_string(row) + " of '" + this->File +
           "': " + this->Errors.First() + "; the file may be damaged, fetch it again");

@@ -4,8 +4,10 @@
 #define skyline_RasterSource_h
 
 #include "CoordinateSystem.h"
+#include "Doubt.h"
 #include "GdalErrors.h"
 #include "Georeference.h"
+#include "SourceGuard.h"
 
 #include <cpl_conv.h>
 #include <gdal_priv.h>
@@ -30,8 +32,10 @@ struct PostWindow
 class RasterSource
 {
 public:
-  /// Opens `file` (anything GDAL opens) and looks at its band `band` (from 1).
-  RasterSource(const std::string& file, int band);
+  /// Opens `file` (anything GDAL opens by the drivers of `policy`) and looks at its band `band` (from
+  /// 1). spooled: where the bytes of a pipe are, else empty.
+  RasterSource(const std::string& file, int band, const SourcePolicy& policy = {},
+    const std::string& spooled = "");
 
   PostWindow GetWhole() const { return { 0, 0, this->Columns, this->Rows }; }
 
@@ -51,6 +55,9 @@ public:
   bool HasNodata() const { return this->DeclaresNodata; }
   double GetNodata() const { return this->Nodata; }
 
+  /// What is doubtful about the raster: its place and unit, and after Read its heights.
+  const std::vector<Doubt>& GetDoubts() const { return this->Doubts; }
+
   /// Called with the part done (0 to 1); false stops the reading.
   using ProgressFunction = std::function<bool(double)>;
 
@@ -67,6 +74,10 @@ private:
 
   [[noreturn]] void Refuse(const std::string& reason) const;
   void Open(int band);
+  void FailToOpen();
+  void CheckCrs();
+  void CheckComplaints();
+  void CheckRefusal() const;
   void ReadTransform();
   void ReadPlace();
   void ReadValues();
@@ -79,6 +90,9 @@ private:
   // Reading a file through gzip leaves no note of its size beside it.
   CPLConfigOptionSetter NoNotes{ "CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO", false };
   std::string File;
+  std::string Opened; ///< what GDAL opens in place of a pipe
+  SourceGuard Guard;  // before the dataset, which opens its sources when they are read
+  std::vector<Doubt> Doubts;
   std::unique_ptr<GDALDataset, Closer> Dataset;
   GDALRasterBand* Band = nullptr;
   int Columns = 0, Rows = 0;

@@ -116,6 +116,7 @@ vtkSmartPointer<vtkImageData> ReadTerrain(const TerrainOptions& options, const T
   vtkNew<vtkHeightFieldReader> reader;
   reader->SetFileName(options.File.c_str());
   reader->SetBand(options.Band);
+  options.Sources.Apply(reader.Get());
   RunPass(reader, "read", talk);
   return reader->GetOutput();
 }
@@ -142,6 +143,7 @@ Center ReadCenter(const TerrainOptions& options, const Talk& talk)
   vtkNew<vtkHeightFieldReader> reader;
   reader->SetFileName(options.File.c_str());
   reader->SetBand(options.Band);
+  options.Sources.Apply(reader.Get());
   RunPass(reader, "read", talk,
     [&]
     {
