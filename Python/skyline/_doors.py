@@ -42,6 +42,7 @@ class Options(TypedDict, total=False):
     method     "exact" (default), "fast" (below the horizon by 0.25 degrees at most), "sweep", "pyramid"
     surface    "triangles" (default) or "bilinear"
     flat       True leaves curvature and refraction out; default False
+    allow_network, allow_elsewhere, drivers   of a file, as in read
     """
 
     row0: Row0
@@ -52,6 +53,9 @@ class Options(TypedDict, total=False):
     method: Literal["exact", "fast", "sweep", "pyramid"]
     surface: Literal["triangles", "bilinear"]
     flat: bool
+    allow_network: bool
+    allow_elsewhere: bool
+    drivers: Sequence[str]
 
 
 @dataclass
@@ -92,6 +96,9 @@ def _terrain(
     method: str = "exact",
     surface: str = "triangles",
     flat: bool = False,
+    allow_network: bool = False,
+    allow_elsewhere: bool = False,
+    drivers: Sequence[str] = (),
 ) -> _Terrain:
     as_image = isinstance(z, vtkImageData)
     placed = as_image or isinstance(z, (str, os.PathLike))
@@ -100,7 +107,8 @@ def _terrain(
         for name, value in given.items():
             if value is not None:
                 raise TypeError(f"{name} is given, but an image or a file has its own; leave it out")
-        image = z if as_image else read(z)
+        image = z if as_image else read(
+            z, allow_network=allow_network, allow_elsewhere=allow_elsewhere, drivers=drivers)
         if not as_image:
             _check.choice("row0", row0, ("north", "south"))
     else:
