@@ -136,13 +136,21 @@ void RasterSource::CheckRefusal() const
 void RasterSource::CheckComplaints()
 {
   this->CheckRefusal();
+  const auto refuse = [this](const std::string& words)
+  {
+    this->Refuse("GDAL could not read all of it: " + words +
+      "; correct the file, or the setup of GDAL and PROJ (gdalinfo shows the same)");
+  };
   if (this->Errors.Any())
   {
-    this->Refuse("GDAL could not read all of it: " + this->Errors.First() +
-      "; correct the file, or the setup of GDAL and PROJ (gdalinfo shows the same)");
+    refuse(this->Errors.First());
   }
   for (const std::string& warning : this->Errors.GetWarnings())
   {
+    if (warning.rfind("PROJ: ", 0) == 0)
+    {
+      refuse(warning); // without PROJ's database a CRS loses units and axes
+    }
     this->Doubts.push_back(
       { "GDAL warns about '" + this->File + "': " + warning, "the rest of the file is right", "" });
   }
