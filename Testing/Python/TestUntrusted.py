@@ -243,6 +243,8 @@ class Untrusted(unittest.TestCase):
                     "</VSISparseFile>"))),
             }
             for kind, text in texts.items():
+                # GDAL may keep in mind which sources failed, and then it asks nobody again.
+                text = text.replace("/dem.tif", f"/{kind.replace(' ', '-')}.tif")
                 with self.subTest(kind=kind, away=away):
                     line = self.stopped(self.write("dem.tif", text))
                     if kind != "pansharpened":  # where GDAL says itself what is wrong
@@ -265,7 +267,8 @@ class Untrusted(unittest.TestCase):
 
     def test_side_files(self):
         hostile = dict(services(self.listener.port))
-        hostile["vrt"] = vrt(source(self.secret), kind="Byte")
+        flags = "<Metadata><MDI key='INTERNAL_MASK_FLAGS_1'>2</MDI></Metadata>"
+        hostile["vrt"] = vrt(source(self.secret), flags, kind="Byte")
         hostile["raw"] = raw("/etc/passwd")
         for kind, text in hostile.items():
             with self.subTest(kind=kind):
@@ -390,12 +393,11 @@ class Untrusted(unittest.TestCase):
         self.passes(self.inside("a.nc"))
         self.passes(f'NETCDF:"{self.inside("a.nc")}":Band1')
         for kind, ending in (("AAIGrid", "asc"), ("ENVI", "bin"), ("EHdr", "flt"), ("HFA", "img"),
-                             ("SAGA", "sdat"), ("XYZ", "xyz"), ("GSBG", "grd"), ("RST", "rst"),
-                             ("USGSDEM", "dem"), ("BT", "bt")):
+                             ("SAGA", "sdat"), ("XYZ", "xyz"), ("GSBG", "grd"), ("BT", "bt")):
             with self.subTest(kind=kind):
                 path = self.inside("kind." + ending)
                 small = gdal.Translate("", self.secret, format="MEM", outputType=(
-                    gdal.GDT_Int16 if kind in ("USGSDEM", "BT") else gdal.GDT_Float32))
+                    gdal.GDT_Int16 if kind == "BT" else gdal.GDT_Float32))
                 try:
                     gdal.Translate(path, small, format=kind)
                 except RuntimeError:
