@@ -23,8 +23,8 @@ namespace
 class GuardedSystem : public VSIFilesystemHandler
 {
 public:
-  using Opened = decltype(
-    std::declval<VSIFilesystemHandler&>().Open("", "", false, static_cast<CSLConstList>(nullptr)));
+  using Opened = decltype(std::declval<VSIFilesystemHandler&>().Open(
+    "", "", false, static_cast<CSLConstList>(nullptr)));
 
   GuardedSystem(std::string prefix, VSIFilesystemHandler* inner)
     : Prefix(std::move(prefix))

@@ -254,8 +254,8 @@ void LightMapFile::CheckClaim(std::int64_t pixels) const
   const double chunkBytes = chunk * static_cast<double>(spec.pixel_bytes(true));
   if (chunkBytes > MostChunkBytes)
   {
-    this->Refuse("its " + std::string(spec.tile_width > 0 ? "tiles" : "blocks of lines") + " with " +
-      std::to_string(spec.nchannels) + " channels take " +
+    this->Refuse("its " + std::string(spec.tile_width > 0 ? "tiles" : "blocks of lines") +
+      " with " + std::to_string(spec.nchannels) + " channels take " +
       std::to_string(static_cast<std::int64_t>(chunkBytes / (1024 * 1024))) +
       " MB each, and 512 are allowed; save it with R, G, B alone, in lines");
   }

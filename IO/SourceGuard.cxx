@@ -81,8 +81,8 @@ void QuietFailure(const std::string& name)
   CPLPopErrorHandler();
 }
 
-CPLHTTPResult* RefuseFetch(const char* url, CSLConstList, GDALProgressFunc, void*,
-  CPLHTTPFetchWriteFunc, void*, void*)
+CPLHTTPResult* RefuseFetch(
+  const char* url, CSLConstList, GDALProgressFunc, void*, CPLHTTPFetchWriteFunc, void*, void*)
 {
   SourceGuard* guard = SourceGuard::GetCurrent();
   if (!guard || guard->MayUseNetwork(url))
@@ -109,8 +109,7 @@ SourceGuard::SourceGuard(
     this->Drivers.AddString(name.c_str());
   }
   static const std::string data = DataFolder();
-  for (const std::string& own : { folder, data,
-         std::string(CPLGetConfigOption("GDAL_DATA", "")),
+  for (const std::string& own : { folder, data, std::string(CPLGetConfigOption("GDAL_DATA", "")),
          std::string(CPLGetConfigOption("GRIB_RESOURCE_DIR", "")),
          std::string(CPLGetConfigOption("GDAL_PAM_PROXY_DIR", "")) })
   {
@@ -163,10 +162,9 @@ GDALDataset* SourceGuard::Gate(GDALDriver* driver, GDALOpenInfo* info)
     const std::lock_guard<std::mutex> lock(OpenersMutex);
     opener = Openers()[driver];
   }
-  return opener.Open ? opener.Open(info)
-    : opener.OpenWithDriver
-    ? opener.OpenWithDriver(driver, info)
-    : nullptr;
+  return opener.Open        ? opener.Open(info)
+    : opener.OpenWithDriver ? opener.OpenWithDriver(driver, info)
+                            : nullptr;
 }
 
 /// Opens in place of GDAL, which would ask every driver.
@@ -180,8 +178,8 @@ GDALDataset* SourceGuard::OpenNested(GDALOpenInfo* info)
   }
   const unsigned flags = static_cast<unsigned>(info->nOpenFlags) & ~unsigned(GDAL_OF_SHARED);
   this->Passing = name;
-  auto* dataset = static_cast<GDALDataset*>(GDALOpenEx(
-    name.c_str(), flags, this->Drivers.List(), info->papszOpenOptions, nullptr));
+  auto* dataset = static_cast<GDALDataset*>(
+    GDALOpenEx(name.c_str(), flags, this->Drivers.List(), info->papszOpenOptions, nullptr));
   this->Passing.clear();
   if (!dataset)
   {
@@ -224,9 +222,9 @@ GDALDataset* SourceGuard::Open(const std::string& name)
     return nullptr;
   }
   this->Passing = name;
-  auto* dataset = static_cast<GDALDataset*>(GDALOpenEx(name.c_str(),
-    GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, this->Drivers.List(), nullptr,
-    nullptr));
+  auto* dataset = static_cast<GDALDataset*>(
+    GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+      this->Drivers.List(), nullptr, nullptr));
   this->Passing.clear();
   return dataset;
 }
@@ -236,8 +234,7 @@ std::string SourceGuard::DriverRefusal(const std::string& name)
   GDALDriverH driver = GDALIdentifyDriverEx(name.c_str(), GDAL_OF_RASTER, nullptr, nullptr);
   const std::string kind = driver ? GDALGetDriverShortName(driver) : "";
   const auto allowed = [&](const std::string& one) { return EQUAL(one.c_str(), kind.c_str()); };
-  if (kind.empty() ||
-    std::any_of(this->DriverNames.begin(), this->DriverNames.end(), allowed))
+  if (kind.empty() || std::any_of(this->DriverNames.begin(), this->DriverNames.end(), allowed))
   {
     return "";
   }
@@ -283,8 +280,8 @@ bool SourceGuard::MayUseSystem(const char* prefix, const char* name)
   {
     return true;
   }
-  this->Refuse(
-    "it leads to '" + std::string(name) + "', outside its folder; use --allow-elsewhere if you trust it");
+  this->Refuse("it leads to '" + std::string(name) +
+    "', outside its folder; use --allow-elsewhere if you trust it");
   return false;
 }
 
@@ -310,8 +307,8 @@ bool SourceGuard::MayTouch(const char* path, bool create)
     name == "/proc/meminfo" || name == "/proc/self/cgroup";
   if (!machine)
   {
-    this->Refuse("it leads to '" + name +
-      "', outside its folder; use --allow-elsewhere if you trust it");
+    this->Refuse(
+      "it leads to '" + name + "', outside its folder; use --allow-elsewhere if you trust it");
   }
   return false;
 }

@@ -12,8 +12,7 @@ namespace skyline
 
 const std::vector<std::string>& DefaultDrivers()
 {
-  static const std::vector<std::string> drivers{
-    // virtual, and in memory
+  static const std::vector<std::string> drivers{ // virtual, and in memory
     "VRT", "DERIVED", "MEM",
     // maps of today
     "GTiff", "COG", "GPKG", "HFA", "JP2OpenJPEG", "JP2KAK", "JP2ECW", "PNG", "JPEG", "WEBP", "TGA",

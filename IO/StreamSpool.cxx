@@ -127,8 +127,8 @@ bool IsWholeFile(int stream)
 void Wait(const std::string& file, int stream, bool started, const std::function<bool()>& goOn)
 {
   struct stat status = {};
-  const bool pipe = ::fstat(stream, &status) == 0 && S_ISFIFO(status.st_mode) && !started &&
-    stream != STDIN_FILENO;
+  const bool pipe =
+    ::fstat(stream, &status) == 0 && S_ISFIFO(status.st_mode) && !started && stream != STDIN_FILENO;
   const auto begin = std::chrono::steady_clock::now();
   for (;;)
   {
@@ -187,8 +187,8 @@ void Copy(const std::string& file, int stream, int target, const std::function<b
       if (written < 0 && errno != EINTR)
       {
         Fail(file,
-          std::string("its bytes cannot be kept in the temporary folder: ") +
-            std::strerror(errno) + "; set TMPDIR to a folder with space");
+          std::string("its bytes cannot be kept in the temporary folder: ") + std::strerror(errno) +
+            "; set TMPDIR to a folder with space");
       }
       done += written > 0 ? written : 0;
     }
@@ -209,8 +209,7 @@ bool StreamSpool::IsStream(const std::string& file)
 {
   struct stat status = {};
   return IsStandardInput(file) ||
-    (::stat(file.c_str(), &status) == 0 &&
-      (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode)));
+    (::stat(file.c_str(), &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode)));
 }
 
 std::shared_ptr<StreamSpool> StreamSpool::Read(

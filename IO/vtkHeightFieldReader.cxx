@@ -113,8 +113,7 @@ int vtkHeightFieldReader::RequestInformation(
   return this->Try(
     [&](const std::string& file)
     {
-      const skyline::RasterSource source(
-        file, this->Band, this->MakePolicy(), this->Spool(file));
+      const skyline::RasterSource source(file, this->Band, this->MakePolicy(), this->Spool(file));
       const skyline::PostWindow whole = source.GetWhole();
       const int extent[6] = { 0, whole.Columns - 1, 0, whole.Rows - 1, 0, 0 };
       const double spacing[3] = { source.GetSpacing()[0], source.GetSpacing()[1], 1.0 };

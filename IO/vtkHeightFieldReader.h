@@ -48,7 +48,7 @@ namespace skyline
 {
 class StreamSpool;
 struct SourcePolicy;
-}
+} // namespace skyline
 
 class SKYLINEIO_EXPORT vtkHeightFieldReader : public vtkImageAlgorithm
 {
