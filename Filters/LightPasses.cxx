@@ -118,7 +118,7 @@ SkyDisc DiscOf(vtkSkylineSunLight* light)
   Check(radius >= 0.0 && radius <= LargestSun * DegreesPerRadian, "sun", "angular radius", radius,
     "0 to 3 degrees; larger discs are key lights");
   CheckColor("sun", light->GetIrradiance());
-  disc.Azimuth = light->GetAzimuth() * RadiansPerDegree;
+  disc.Azimuth = std::fmod(light->GetAzimuth(), 360.0) * RadiansPerDegree;
   disc.Elevation = light->GetElevation() * RadiansPerDegree;
   disc.Radius = radius * RadiansPerDegree;
   std::copy_n(light->GetIrradiance(), 3, disc.Irradiance.begin());
@@ -152,7 +152,7 @@ SkyDisc DiscOf(vtkSkylineKeyLight* light)
   Check(radius > 0.0 && radius < 90.0, "key light", "angular radius", radius,
     "above 0 to below 90 degrees");
   CheckColor("key light", light->GetRadiance());
-  disc.Azimuth = light->GetAzimuth() * RadiansPerDegree;
+  disc.Azimuth = std::fmod(light->GetAzimuth(), 360.0) * RadiansPerDegree;
   disc.Elevation = light->GetElevation() * RadiansPerDegree;
   disc.Radius = radius * RadiansPerDegree;
   const double reach = std::sin(disc.Radius);
@@ -250,7 +250,8 @@ bool AddSun(
   const double darkening = light->GetLimbDarkening() ? EddingtonLimbDarkening : 0.0;
   const SunField sun = light->GetUseTime()
     ? SunField(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight())
-    : SunField::Constant(light->GetAzimuth(), light->GetElevation(), light->GetAngularRadius());
+    : SunField::Constant(
+        std::fmod(light->GetAzimuth(), 360.0), light->GetElevation(), light->GetAngularRadius());
   if (light->GetUseTime() && light->GetTrueRadius())
   {
     disc.Radius = sun.Radius() * RadiansPerDegree;

@@ -12,6 +12,7 @@
 #include "vtkVersionMacros.h"
 
 #include <exception>
+#include <new>
 
 vtkHeightFieldAlgorithm::vtkHeightFieldAlgorithm()
   : RefractionCoefficient(skyline::TerrestrialRefraction)
@@ -109,6 +110,15 @@ int vtkHeightFieldAlgorithm::RequestData(
     }
     skyline::KeepPiece(out->GetInformationObject(0));
     return 1;
+  }
+  catch (const std::bad_alloc&)
+  {
+    const int* posts = input->GetDimensions();
+    output->Initialize();
+    vtkErrorMacro(<< "not enough memory for " << posts[0] << " x " << posts[1]
+                  << " posts (std::bad_alloc); ask for less at a time, cut the raster "
+                     "(gdal_translate -srcwin) or make it coarser (-tr)");
+    return 0;
   }
   catch (const std::exception& reason)
   {

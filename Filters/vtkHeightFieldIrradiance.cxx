@@ -26,6 +26,7 @@
 #include <cstdint>
 #include <deque>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeightFieldIrradiance);
@@ -242,6 +243,12 @@ bool vtkHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageDat
   if (!finished || !AddLamps(scene, lights, output, posts))
   {
     return false;
+  }
+  const std::ptrdiff_t beyond = scene.CountNotFinite(irradiance);
+  if (beyond > 0)
+  {
+    throw std::runtime_error("the light on " + std::to_string(beyond) +
+      " posts is more than a float holds (3.4e38); give dimmer lights");
   }
   scene.BlankMissing(irradiance);
   return true;

@@ -8,6 +8,7 @@
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -31,7 +32,8 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
   constexpr double radians = skyline::RadiansPerDegree;
   const skyline::SunField sun = this->UseTime
     ? skyline::SunField(scene.Place(), skyline::ParseUtcTime(this->Time), scene.MeanHeight())
-    : skyline::SunField::Constant(this->SunAzimuth, this->SunElevation, this->SunAngularRadius);
+    : skyline::SunField::Constant(
+        std::fmod(this->SunAzimuth, 360.0), this->SunElevation, this->SunAngularRadius);
   const double radius = this->UseTime && this->TrueRadius ? sun.Radius() : this->SunAngularRadius;
   if (!(radius >= 0.0 && radius < 90.0))
   {
@@ -69,7 +71,7 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
   }
   else
   {
-    const skyline::SunDisc disc{ this->SunAzimuth * radians, this->SunElevation * radians,
+    const skyline::SunDisc disc{ std::fmod(this->SunAzimuth, 360.0) * radians, this->SunElevation * radians,
       radius * radians };
     finished = run(skyline::SunAccumulator(posts.Columns, posts.Rows, disc, buffer, darkening));
   }

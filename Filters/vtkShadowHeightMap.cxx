@@ -116,7 +116,7 @@ bool vtkShadowHeightMap::AddShadow(skyline::HorizonScene& scene, vtkImageData* o
   }
   const auto method = this->MakeMethod(scene, skyline::ShadowSlope(elevation));
   ShadowStore store(scene, this->GetInputArrayToProcess(0, output), shadows, belowTerrain);
-  const bool finished = scene.Run(*method, { this->SunAzimuth }, 0.0, store);
+  const bool finished = scene.Run(*method, { std::fmod(this->SunAzimuth, 360.0) }, 0.0, store);
   scene.BlankMissing(shadows);
   return finished;
 }
@@ -131,8 +131,9 @@ bool vtkShadowHeightMap::Compute(skyline::HorizonScene& scene, vtkImageData* out
   {
     throw std::invalid_argument("shadow heights are those of the triangles; set that surface");
   }
-  skyline::SunField::Constant(this->SunAzimuth, this->SunElevation, this->SunAngularRadius);
-  scene.DemandFloats("shadow heights", this->Soft ? 3 : 1, { this->SunAzimuth });
+  skyline::SunField::Constant(
+    std::fmod(this->SunAzimuth, 360.0), this->SunElevation, this->SunAngularRadius);
+  scene.DemandFloats("shadow heights", this->Soft ? 3 : 1, { std::fmod(this->SunAzimuth, 360.0) });
   const double elevation = this->SunElevation * skyline::RadiansPerDegree;
   const double radius = this->SunAngularRadius * skyline::RadiansPerDegree;
   bool finished =

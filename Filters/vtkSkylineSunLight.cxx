@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkylineSunLight.h"
 
+#include "BaseHeight.h"
 #include "SunField.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -41,11 +42,16 @@ bool vtkSkylineSunLight::FindDirection(vtkImageData* heightField, double directi
     return false;
   }
   double range[2] = { 0.0, 0.0 };
+  double height = 0.0;
   if (vtkDataArray* heights = heightField->GetPointData()->GetScalars())
   {
     heights->GetFiniteRange(range, 0);
+    if (range[0] <= range[1])
+    {
+      height = skyline::BaseHeight(heights->GetNumberOfTuples(), range[0], range[1],
+        [&](std::ptrdiff_t post) { return heights->GetComponent(post, 0); });
+    }
   }
-  const double height = range[0] <= range[1] ? range[0] + 0.5 * (range[1] - range[0]) : 0.0;
   const int* posts = heightField->GetDimensions();
   try
   {

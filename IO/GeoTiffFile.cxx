@@ -327,8 +327,9 @@ private:
     }
     else
     {
-      const int bytes = columns * GDALGetDataTypeSizeBytes(this->Type);
-      const int strip = std::clamp(StripBytes / bytes, 1, rows);
+      const std::int64_t bytes =
+        static_cast<std::int64_t>(columns) * GDALGetDataTypeSizeBytes(this->Type);
+      const std::int64_t strip = std::clamp<std::int64_t>(StripBytes / bytes, 1, rows);
       options.SetNameValue("BLOCKYSIZE", std::to_string(strip).c_str());
     }
     this->Dataset.reset(this->Driver("GTiff")->Create(path.c_str(), columns, rows,

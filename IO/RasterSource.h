@@ -7,6 +7,7 @@
 #include "Doubt.h"
 #include "GdalErrors.h"
 #include "Georeference.h"
+#include "HeightCensus.h"
 #include "SourceGuard.h"
 
 #include <cpl_conv.h>
@@ -33,9 +34,10 @@ class RasterSource
 {
 public:
   /// Opens `file` (anything GDAL opens by the drivers of `policy`) and looks at its band `band` (from
-  /// 1). spooled: where the bytes of a pipe are, else empty.
-  RasterSource(const std::string& file, int band, const SourcePolicy& policy = {},
-    const std::string& spooled = "");
+  /// 1). furtherNodata: values of missing posts besides the one that the file declares, as the band has
+  /// them (before scale and unit). spooled: where the bytes of a pipe are, else empty.
+  RasterSource(const std::string& file, int band, const std::vector<double>& furtherNodata = {},
+    const SourcePolicy& policy = {}, const std::string& spooled = "");
 
   PostWindow GetWhole() const { return { 0, 0, this->Columns, this->Rows }; }
 
@@ -83,8 +85,12 @@ private:
   void ReadValues();
   template <typename T>
   void ReadAs(const PostWindow& window, T* heights, const ProgressFunction& progress);
-  template <typename T>
-  bool Convert(T* heights, const unsigned char* mask, std::size_t count) const;
+  template <typename T, typename Missing>
+  bool Convert(T* heights, const unsigned char* mask, std::size_t count, Missing& missing,
+    HeightCensus& census);
+  void RefuseOtherPlaces() const;
+  void CheckSpacing() const;
+  void DoubtHeights(const HeightCensus& census);
 
   GdalErrors Errors; // first, so that closing the file is quiet too
   // Reading a file through gzip leaves no note of its size beside it.
@@ -92,6 +98,7 @@ private:
   std::string File;
   std::string Opened; ///< what GDAL opens in place of a pipe
   SourceGuard Guard;  // before the dataset, which opens its sources when they are read
+  std::vector<double> FurtherNodata;
   std::vector<Doubt> Doubts;
   std::unique_ptr<GDALDataset, Closer> Dataset;
   GDALRasterBand* Band = nullptr;

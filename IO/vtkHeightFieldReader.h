@@ -18,7 +18,11 @@
  * Field data carries the georeference (vtkSkylineGeoreference.h) of the extent that was delivered,
  * which is the extent asked for: only that part of the file is read. Spacing and RowSpacing are the
  * whole raster's, so that a part is what the whole has there. NodataValue is the value the file
- * declares for missing posts.
+ * declares for missing posts, else the first finite one of AddNodata.
+ *
+ * Input that may not mean what it seems to mean is read as it stands, with a warning (WarningEvent) of
+ * what was found, what is assumed, and the cure: heights that look like missing posts, no geotransform,
+ * degrees without a CRS, units that contradict each other (Documentation/input.md).
  *
  * A raster can name other files and servers: sources, masks, overviews. Such names are the file's and
  * not the user's, so that only files in its own folder and below are read, by drivers of local rasters
@@ -43,6 +47,7 @@
 
 #include <memory> // for the private parts
 #include <string>
+#include <vector>
 
 namespace skyline
 {
@@ -71,6 +76,17 @@ public:
    */
   vtkSetMacro(Band, int);
   vtkGetMacro(Band, int);
+  ///@}
+
+  ///@{
+  /**
+   * Values of missing posts besides the one that the file declares, as the band has them (before its
+   * scale and unit); any number, NaN and infinities (which are missing anyway) too. Default: none.
+   */
+  void AddNodata(double value);
+  void RemoveAllNodata();
+  int GetNumberOfNodata();
+  double GetNodata(int index);
   ///@}
 
   ///@{
@@ -127,6 +143,7 @@ private:
 
   char* FileName = nullptr;
   int Band = 1;
+  std::vector<double> Nodata;
   bool AllowNetwork = false;
   bool AllowElsewhere = false;
   struct Inside;

@@ -24,12 +24,13 @@ vtkSmartPointer<vtkImageData> ReadTerrain(const TerrainOptions& options, const T
 struct Center
 {
   Georeference Place;
-  double Height = 0.0;                    ///< metres, of the post nearest to the middle; 0: missing
+  double Height = 0.0; ///< metres, of the post with a height nearest to the middle; 0: none is near
   double Longitude = 0.0, Latitude = 0.0; ///< degrees; 0 without a CRS
 };
-Center CenterOf(vtkImageData* terrain);
+/// The post with a height is looked for up to 512 posts away; a warning where there is none.
+Center CenterOf(vtkImageData* terrain, const Talk& talk);
 
-/// The same, reading no more of the file than the middle.
+/// The same, reading no more of the file than is needed: the middle, and more where that is missing.
 Center ReadCenter(const TerrainOptions& options, const Talk& talk);
 
 /// Before any work: throws Failure if `output` cannot become a file, or is the input.

@@ -227,7 +227,7 @@ void LightOptions::AddLampsTo(CLI::App& command)
 std::vector<LightPointer> MakeLights(
   const LightOptions& options, vtkImageData* terrain, const Talk& talk)
 {
-  const Center center = CenterOf(terrain);
+  const Center center = CenterOf(terrain, talk);
   const SunLight sun = FindSun(options.Sun, center.Place, center.Height);
   const bool sunAsked = !options.Sun.Time.empty() || !options.Sun.Direction.empty();
   const bool perez = StartsWith(options.Environment, "perez:");

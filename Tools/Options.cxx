@@ -14,6 +14,13 @@ void TerrainOptions::AddTo(CLI::App& command)
   command.add_option("--band", this->Band, "Band of the raster, from 1")
     ->type_name("N")
     ->capture_default_str();
+  command
+    .add_option("--nodata", this->Nodata,
+      "Posts of this value have no height, besides those that the file declares missing: any number\n"
+      "as the file has it, before scale and unit; may be repeated")
+    ->type_name("V")
+    ->type_size(1)
+    ->allow_extra_args(false);
   this->Sources.AddTo(command);
 }
 

@@ -34,11 +34,12 @@ struct SourceOptions
   }
 };
 
-/// DEM, --band, and the options of sources: what is read.
+/// DEM, --band, --nodata, and the options of sources: what is read.
 struct TerrainOptions
 {
   std::string File;
   int Band = 1;
+  std::vector<double> Nodata; ///< besides the file's own
   SourceOptions Sources;
   void AddTo(CLI::App& command);
 };

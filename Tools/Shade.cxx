@@ -187,7 +187,7 @@ struct ShadeCommand
     skyline::CheckOutput(this->Output.File, this->Terrain.File);
 
     const auto terrain = this->Exaggerate(skyline::ReadTerrain(this->Terrain, this->Talk));
-    const skyline::Center center = skyline::CenterOf(terrain);
+    const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
     const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
 
     const bool air = !center.Place.OnBody() || center.Place.Earth;

@@ -35,7 +35,7 @@ struct ShadowHeightCommand
       throw skyline::Failure("--limb-darkening changes no shadow height; leave it out");
     }
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
-    const skyline::Center center = skyline::CenterOf(terrain);
+    const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
     const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
     vtkNew<vtkShadowHeightMap> shadow;
     shadow->SetInputData(terrain);

@@ -62,7 +62,7 @@ struct SunCommand
     vtkNew<vtkHeightFieldSunShadow> shadow;
     shadow->SetInputData(terrain);
     this->Horizon.Apply(shadow.Get());
-    const skyline::Center center = skyline::CenterOf(terrain);
+    const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
     skyline::ApplySun(this->Sun, skyline::FindSun(this->Sun, center.Place, center.Height), shadow);
     skyline::RunPass(shadow, "sun", this->Talk);
     skyline::WriteRaster(shadow, { "SunVisibility" }, this->Output, this->Talk);

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 
 from . import _check, _lights
-from ._images import FileName, Row0, Spacing, _names, _quoted, read, to_array, to_image
+from ._images import FileName, Nodata, Row0, Spacing, _names, _quoted, read, to_array, to_image
 from ._run import run
 from .SkylineFilters import (
     vtkHeightFieldAlgorithm,
@@ -37,7 +37,7 @@ _QUANTITIES = ("SkyViewFactor", "SkyViewFactorHorizontal", "VisibleSkyFraction",
 class Options(TypedDict, total=False):
     """What every function takes, by name.
 
-    row0, crs, transform, nodata   as in to_image
+    row0, crs, transform, nodata   as in to_image; of a file: nodata as in read, and no other
     scalars    name of an image's heights; default its active scalars
     method     "exact" (default), "fast" (below the horizon by 0.25 degrees at most), "sweep", "pyramid"
     surface    "triangles" (default) or "bilinear"
@@ -48,7 +48,7 @@ class Options(TypedDict, total=False):
     row0: Row0
     crs: Any
     transform: Any
-    nodata: float | None
+    nodata: Nodata
     scalars: str | None
     method: Literal["exact", "fast", "sweep", "pyramid"]
     surface: Literal["triangles", "bilinear"]
@@ -91,7 +91,7 @@ def _terrain(
     row0: Row0 = "north",
     crs: Any = None,
     transform: Any = None,
-    nodata: float | None = None,
+    nodata: Nodata = None,
     scalars: str | None = None,
     method: str = "exact",
     surface: str = "triangles",
@@ -103,12 +103,14 @@ def _terrain(
     as_image = isinstance(z, vtkImageData)
     placed = as_image or isinstance(z, (str, os.PathLike))
     if placed:
-        given = {"spacing": spacing, "crs": crs, "transform": transform, "nodata": nodata}
+        given = {"spacing": spacing, "crs": crs, "transform": transform}
+        if as_image:
+            given["nodata"] = nodata
         for name, value in given.items():
             if value is not None:
                 raise TypeError(f"{name} is given, but an image or a file has its own; leave it out")
-        image = z if as_image else read(
-            z, allow_network=allow_network, allow_elsewhere=allow_elsewhere, drivers=drivers)
+        image = z if as_image else read(z, nodata=nodata, allow_network=allow_network,
+                                        allow_elsewhere=allow_elsewhere, drivers=drivers)
         if not as_image:
             _check.choice("row0", row0, ("north", "south"))
     else:
@@ -373,11 +375,14 @@ def irradiance(
     return terrain.result(filter_, "Irradiance")
 
 
-def sun_position(place: FileName | vtkImageData, time: Any) -> tuple[float, float, float]:
+def sun_position(
+    place: FileName | vtkImageData, time: Any, *, nodata: Nodata = None
+) -> tuple[float, float, float]:
     """Where the sun stands over the middle of a raster: azimuth, elevation, angular radius; degrees.
 
     place   the name of a raster file with a CRS, or an image that read or to_image gave
     time    as in sun_visibility
+    nodata  of a file, as in read
 
     The azimuth counts clockwise from grid north, the elevation is apparent (lifted by the air): what
     `sun` takes elsewhere.
@@ -386,5 +391,10 @@ def sun_position(place: FileName | vtkImageData, time: Any) -> tuple[float, floa
     >>> round(azimuth), round(elevation)
     (173, 67)
     """
-    image = place if isinstance(place, vtkImageData) else read(place)
+    if isinstance(place, vtkImageData):
+        if nodata is not None:
+            raise TypeError("nodata is given, but an image has its own; leave it out")
+        image = place
+    else:
+        image = read(place, nodata=nodata)
     return _lights.find_direction(image, _check.moment(time))

@@ -30,7 +30,7 @@ _SKIES = "'uniform', 'cie:1' to 'cie:16', 'perez:DIRECT,DIFFUSE' in W/m2, a file
 def environment_light(environment: Any, rotation: Any, sun: Any) -> vtkSkylineEnvironmentLight:
     """The environment of irradiance(); `sun` is (azimuth, elevation) or None."""
     light = vtkSkylineEnvironmentLight()
-    light.SetRotation(_check.number("rotation", rotation, "degrees"))
+    light.SetRotation(math.fmod(_check.number("rotation", rotation, "degrees"), 360.0))
     if isinstance(environment, (str, os.PathLike)):
         name = _check.file_name("environment", environment)
         kind, _, rest = name.partition(":")

@@ -50,7 +50,7 @@ ViewerLights::ViewerLights(const LightOptions& asked, const Talk& talk)
 
 void ViewerLights::SetTerrain(vtkImageData* terrain)
 {
-  this->Middle = CenterOf(terrain);
+  this->Middle = CenterOf(terrain, this->Told);
   this->Terrain = terrain;
 }
 
