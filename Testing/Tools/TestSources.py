@@ -5,6 +5,7 @@ Testing/Python/TestUntrusted.py has the table of hostile files.
 """
 import os
 import signal
+import struct
 import subprocess
 import time
 
@@ -50,6 +51,14 @@ class Allowed(ToolTest):
         # Without its database PROJ makes something else of the CRS of a GeoTIFF.
         nowhere = dict(os.environ, PROJ_DATA="/nonexistent", PROJ_LIB="/nonexistent")
         self.refused(1, "sun", self.path("tile.tif"), says="proj.db", env=nowhere)
+        # A code in GeoKeys that nobody knows: 32999 in place of 32610.
+        with open(self.path("tile.tif"), "rb") as file:
+            content = file.read()
+        keys = struct.pack("<4H", 3072, 0, 1, UTM10)
+        self.assertIn(keys, content)
+        with open(self.path("mine/keys.tif"), "wb") as file:
+            file.write(content.replace(keys, struct.pack("<4H", 3072, 0, 1, 32999)))
+        self.refused(1, "sun", self.path("mine/keys.tif"), says="crs not found")
         # An .asc takes its CRS from a .prj, and a .tif does not.
         with open(self.path("mine/grid.asc"), "w") as file:
             file.write("ncols 2\nnrows 2\nxllcorner 7\nyllcorner 46\ncellsize 0.001\n1 2\n3 4\n")
