@@ -5,6 +5,7 @@
 
 #include <gdal.h>
 
+#include <algorithm>
 #include <mutex>
 
 namespace skyline
@@ -31,13 +32,24 @@ void GdalErrors::Clear()
 {
   this->Failed = false;
   this->Message.clear();
+  this->Warnings.clear();
 }
 
 void GdalErrors::Keep(CPLErr kind, CPLErrorNum, const char* message)
 {
   auto* self = static_cast<GdalErrors*>(CPLGetErrorHandlerUserData());
-  if (kind < CE_Failure || !self)
+  if (!self || kind < CE_Warning)
   {
+    return;
+  }
+  if (kind == CE_Warning)
+  {
+    const std::string line = FirstLine(message ? message : "");
+    auto& known = self->Warnings;
+    if (!line.empty() && std::find(known.begin(), known.end(), line) == known.end())
+    {
+      known.push_back(line);
+    }
     return;
   }
   self->Failed = true;

@@ -6,12 +6,14 @@
 #include <cpl_error.h>
 
 #include <string>
+#include <vector>
 
 namespace skyline
 {
 
-/// While one lives, GDAL prints nothing from this thread, and its first failure is remembered: the
-/// later ones only say that something did not work. The first one made registers GDAL's drivers.
+/// While one lives, GDAL prints nothing from this thread. Its first failure is remembered, for the
+/// later ones only say that something did not work, and every warning. The first one made registers
+/// GDAL's drivers.
 class GdalErrors
 {
 public:
@@ -26,6 +28,9 @@ public:
   /// The first line of the first failure, or `otherwise` when GDAL gave no words.
   std::string First(const std::string& otherwise = "GDAL gives no reason") const;
 
+  /// The first lines of the warnings, each once.
+  const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
+
   /// Forgets what happened so far.
   void Clear();
 
@@ -34,6 +39,7 @@ private:
 
   bool Failed = false;
   std::string Message;
+  std::vector<std::string> Warnings;
 };
 
 } // namespace skyline

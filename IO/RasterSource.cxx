@@ -104,8 +104,11 @@ GDALDataType GdalTypeOf(int vtkType)
 } // namespace
 
 RasterSource::RasterSource(
-  const std::string& file, int band, const std::vector<double>& furtherNodata)
+  const std::string& file, int band, const std::vector<double>& furtherNodata,
+  const SourcePolicy& policy, const std::string& spooled)
   : File(file)
+  , Opened(spooled.empty() ? file : spooled)
+  , Guard(this->Opened, policy, spooled.empty() ? "" : ".")
   , FurtherNodata(furtherNodata)
 {
   this->Open(band);
@@ -113,50 +116,12 @@ RasterSource::RasterSource(
   this->ReadPlace();
   this->CheckSpacing();
   this->ReadValues();
+  this->CheckComplaints();
 }
 
 void RasterSource::Refuse(const std::string& reason) const
 {
   throw IoFailure(vtkErrorCode::FileFormatError, "cannot use '" + this->File + "': " + reason);
-}
-
-void RasterSource::Open(int band)
-{
-  VSIStatBufL status;
-  const bool found = VSIStatL(this->File.c_str(), &status) == 0;
-  this->Dataset.reset(GDALDataset::Open(
-    this->File.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
-  if (!this->Dataset)
-  {
-    const unsigned long code =
-      found ? vtkErrorCode::UnrecognizedFileTypeError : vtkErrorCode::FileNotFoundError;
-    throw IoFailure(code,
-      "cannot read '" + this->File + "': " + this->Errors.First() +
-        (found ? "; give a raster that gdalinfo can open" : "; check the path"));
-  }
-
-  const int bands = this->Dataset->GetRasterCount();
-  if (bands == 0)
-  {
-    char** parts = this->Dataset->GetMetadata("SUBDATASETS");
-    const char* first = CSLFetchNameValue(parts, "SUBDATASET_1_NAME");
-    this->Refuse(first ? "it holds " + std::to_string(CSLCount(parts) / 2) +
-          " rasters; name one, such as '" + first + "'"
-                       : std::string("it has no raster band; give a file with heights"));
-  }
-  if (band < 1 || band > bands)
-  {
-    this->Refuse("it has no band " + std::to_string(band) + "; choose " +
-      (bands == 1 ? std::string("band 1") : "a band from 1 to " + std::to_string(bands)));
-  }
-  this->Band = this->Dataset->GetRasterBand(band);
-  this->Columns = this->Dataset->GetRasterXSize();
-  this->Rows = this->Dataset->GetRasterYSize();
-  if (this->Columns < 2 || this->Rows < 2)
-  {
-    this->Refuse(std::to_string(this->Columns) + " x " + std::to_string(this->Rows) +
-      " posts make no surface; give at least 2 x 2");
-  }
 }
 
 void RasterSource::ReadTransform()
@@ -362,6 +327,7 @@ void RasterSource::Read(const PostWindow& window, void* heights, const ProgressF
     default:
       break;
   }
+  this->CheckComplaints();
 }
 
 /// Raw values to metres, in place, counting what is no missing post; false when none is a height.
@@ -465,6 +431,7 @@ void RasterSource::ReadAs(const PostWindow& window, T* heights, const ProgressFu
     }
     if (failed != CE_None || this->Errors.Any())
     {
+      this->CheckRefusal();
       throw IoFailure(vtkErrorCode::PrematureEndOfFileError,
         "cannot read row " + std::to_string(row) + " of '" + this->File +
           "': " + this->Errors.First() + "; the file may be damaged, fetch it again");

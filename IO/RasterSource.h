@@ -8,6 +8,7 @@
 #include "GdalErrors.h"
 #include "Georeference.h"
 #include "HeightCensus.h"
+#include "SourceGuard.h"
 
 #include <cpl_conv.h>
 #include <gdal_priv.h>
@@ -32,9 +33,11 @@ struct PostWindow
 class RasterSource
 {
 public:
-  /// Opens `file` (anything GDAL opens) and looks at its band `band` (from 1). furtherNodata: values of
-  /// missing posts besides the one that the file declares, as the band has them (before scale and unit).
-  RasterSource(const std::string& file, int band, const std::vector<double>& furtherNodata = {});
+  /// Opens `file` (anything GDAL opens by the drivers of `policy`) and looks at its band `band` (from
+  /// 1). furtherNodata: values of missing posts besides the one that the file declares, as the band has
+  /// them (before scale and unit). spooled: where the bytes of a pipe are, else empty.
+  RasterSource(const std::string& file, int band, const std::vector<double>& furtherNodata = {},
+    const SourcePolicy& policy = {}, const std::string& spooled = "");
 
   PostWindow GetWhole() const { return { 0, 0, this->Columns, this->Rows }; }
 
@@ -73,6 +76,10 @@ private:
 
   [[noreturn]] void Refuse(const std::string& reason) const;
   void Open(int band);
+  void FailToOpen();
+  void CheckCrs();
+  void CheckComplaints();
+  void CheckRefusal() const;
   void ReadTransform();
   void ReadPlace();
   void ReadValues();
@@ -89,6 +96,8 @@ private:
   // Reading a file through gzip leaves no note of its size beside it.
   CPLConfigOptionSetter NoNotes{ "CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO", false };
   std::string File;
+  std::string Opened; ///< what GDAL opens in place of a pipe
+  SourceGuard Guard;  // before the dataset, which opens its sources when they are read
   std::vector<double> FurtherNodata;
   std::vector<Doubt> Doubts;
   std::unique_ptr<GDALDataset, Closer> Dataset;

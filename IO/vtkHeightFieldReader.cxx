@@ -5,6 +5,8 @@
 #include "MemoryDemand.h"
 #include "RasterSource.h"
 #include "ReadGuard.h"
+#include "SourcePolicy.h"
+#include "StreamSpool.h"
 #include "vtkSkylineGeoreference.h"
 #include "vtkSkylineWarning.h"
 
@@ -57,7 +59,15 @@ vtkSmartPointer<vtkDataArray> Allocate(
 
 vtkStandardNewMacro(vtkHeightFieldReader);
 
+struct vtkHeightFieldReader::Inside
+{
+  std::vector<std::string> Drivers;
+  std::shared_ptr<skyline::StreamSpool> Spool;
+  std::string SpooledFile;
+};
+
 vtkHeightFieldReader::vtkHeightFieldReader()
+  : Parts(std::make_unique<Inside>())
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -65,6 +75,15 @@ vtkHeightFieldReader::vtkHeightFieldReader()
 vtkHeightFieldReader::~vtkHeightFieldReader()
 {
   this->SetFileName(nullptr);
+}
+
+void vtkHeightFieldReader::AddDriver(const char* name)
+{
+  if (name && *name)
+  {
+    this->Parts->Drivers.emplace_back(name);
+    this->Modified();
+  }
 }
 
 void vtkHeightFieldReader::AddNodata(double value)
@@ -80,6 +99,56 @@ void vtkHeightFieldReader::RemoveAllNodata()
     this->Nodata.clear();
     this->Modified();
   }
+}
+
+void vtkHeightFieldReader::RemoveAllDrivers()
+{
+  if (!this->Parts->Drivers.empty())
+  {
+    this->Parts->Drivers.clear();
+    this->Modified();
+  }
+}
+
+int vtkHeightFieldReader::GetNumberOfDrivers()
+{
+  return static_cast<int>(this->Parts->Drivers.size());
+}
+
+const char* vtkHeightFieldReader::GetDriver(int index)
+{
+  return index >= 0 && index < this->GetNumberOfDrivers()
+    ? this->Parts->Drivers[static_cast<std::size_t>(index)].c_str()
+    : nullptr;
+}
+
+skyline::SourcePolicy vtkHeightFieldReader::MakePolicy() const
+{
+  return { this->AllowNetwork, this->AllowElsewhere, this->Parts->Drivers };
+}
+
+std::string vtkHeightFieldReader::Spool(const std::string& file)
+{
+  Inside& parts = *this->Parts;
+  if (parts.SpooledFile != file)
+  {
+    parts.Spool.reset();
+  }
+  if (!skyline::StreamSpool::IsStream(file))
+  {
+    return "";
+  }
+  if (!parts.Spool)
+  {
+    parts.Spool = skyline::StreamSpool::Read(file,
+      [this]
+      {
+        this->UpdateProgress(0.0);
+        return !this->GetAbortExecute();
+      });
+    parts.SpooledFile = file;
+  }
+  return parts.Spool->GetName();
 }
 
 int vtkHeightFieldReader::GetNumberOfNodata()
@@ -107,7 +176,8 @@ int vtkHeightFieldReader::RequestInformation(
   return this->Try(
     [&](const std::string& file)
     {
-      const skyline::RasterSource source(file, this->Band, this->Nodata);
+      const skyline::RasterSource source(
+        file, this->Band, this->Nodata, this->MakePolicy(), this->Spool(file));
       const skyline::PostWindow whole = source.GetWhole();
       const int extent[6] = { 0, whole.Columns - 1, 0, whole.Rows - 1, 0, 0 };
       const double spacing[3] = { source.GetSpacing()[0], source.GetSpacing()[1], 1.0 };
@@ -130,7 +200,8 @@ int vtkHeightFieldReader::RequestData(
   const bool done = this->Try(
     [&](const std::string& file)
     {
-      skyline::RasterSource source(file, this->Band, this->Nodata);
+      skyline::RasterSource source(
+        file, this->Band, this->Nodata, this->MakePolicy(), this->Spool(file));
       const skyline::PostWindow whole = source.GetWhole();
       int extent[6];
       info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
@@ -183,6 +254,14 @@ void vtkHeightFieldReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "Band: " << this->Band << "\n";
+  os << indent << "AllowNetwork: " << (this->AllowNetwork ? "On" : "Off") << "\n";
+  os << indent << "AllowElsewhere: " << (this->AllowElsewhere ? "On" : "Off") << "\n";
+  os << indent << "Drivers:";
+  for (const std::string& name : this->Parts->Drivers)
+  {
+    os << " " << name;
+  }
+  os << "\n";
   os << indent << "Nodata:";
   for (const double value : this->Nodata)
   {

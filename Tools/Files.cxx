@@ -163,6 +163,7 @@ vtkSmartPointer<vtkHeightFieldReader> MakeReader(const skyline::TerrainOptions& 
   {
     reader->AddNodata(value);
   }
+  options.Sources.Apply(reader.Get());
   return reader;
 }
 

@@ -54,6 +54,22 @@ void TerrainOptions::AddTo(CLI::App& command)
     ->type_name("V")
     ->type_size(1)
     ->allow_extra_args(false);
+  this->Sources.AddTo(command);
+}
+
+void SourceOptions::AddTo(CLI::App& command)
+{
+  command.add_flag("--allow-network", this->AllowNetwork,
+    "Let the DEM be on a server, or lead to one (URLs, /vsicurl/, /vsis3/ ...)");
+  command.add_flag("--allow-elsewhere", this->AllowElsewhere,
+    "Let the DEM lead to files outside its own folder, as a VRT over tiles in another folder does");
+  command
+    .add_option("--driver", this->Drivers,
+      "Let this driver of GDAL (WMS, WCS ...) open the DEM too, beside those of local rasters;\n"
+      "may be repeated")
+    ->type_name("NAME")
+    ->type_size(1)
+    ->allow_extra_args(false);
 }
 
 void OutputOptions::AddTo(CLI::App& command, const std::string& what, bool required, bool raster)

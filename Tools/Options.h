@@ -19,12 +19,33 @@ namespace skyline
 
 class IdleOptions;
 
-/// DEM, --band, --nodata: what is read.
+/// --allow-network, --allow-elsewhere, --driver: what a file may lead to.
+struct SourceOptions
+{
+  bool AllowNetwork = false;
+  bool AllowElsewhere = false;
+  std::vector<std::string> Drivers;
+  void AddTo(CLI::App& command);
+
+  template <typename Reader>
+  void Apply(Reader* reader) const
+  {
+    reader->SetAllowNetwork(this->AllowNetwork);
+    reader->SetAllowElsewhere(this->AllowElsewhere);
+    for (const std::string& name : this->Drivers)
+    {
+      reader->AddDriver(name.c_str());
+    }
+  }
+};
+
+/// DEM, --band, --nodata, and the options of sources: what is read.
 struct TerrainOptions
 {
   std::string File;
   int Band = 1;
   std::vector<double> Nodata; ///< besides the file's own
+  SourceOptions Sources;
   void AddTo(CLI::App& command);
 };
 

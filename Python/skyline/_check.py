@@ -85,6 +85,16 @@ def file_name(name: str, value: Any) -> str:
     return text
 
 
+def texts(name: str, values: Any, wanted: str) -> list[str]:
+    """A sequence of texts, none empty."""
+    if isinstance(values, (str, bytes)) or not np.iterable(values):
+        raise TypeError(f"{name} is {short(values)}; give {wanted}")
+    for value in values:
+        if not isinstance(value, str) or not value:
+            raise TypeError(f"{name} holds {short(value)}; give {wanted}")
+    return list(values)
+
+
 def choice(name: str, value: Any, choices: Sequence[str]) -> int:
     """The place of `value` in `choices`."""
     if value not in choices:

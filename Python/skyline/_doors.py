@@ -44,6 +44,7 @@ class Options(TypedDict, total=False):
                on the processor), "sweep", "pyramid"
     surface    "triangles" (default) or "bilinear"
     flat       True leaves curvature and refraction out; default False
+    allow_network, allow_elsewhere, drivers   of a file, as in read
     """
 
     row0: Row0
@@ -54,6 +55,9 @@ class Options(TypedDict, total=False):
     method: Literal["exact", "fast", "sweep", "pyramid"]
     surface: Literal["triangles", "bilinear"]
     flat: bool
+    allow_network: bool
+    allow_elsewhere: bool
+    drivers: Sequence[str]
 
 
 @dataclass
@@ -94,6 +98,9 @@ def _terrain(
     method: str = "exact",
     surface: str = "triangles",
     flat: bool = False,
+    allow_network: bool = False,
+    allow_elsewhere: bool = False,
+    drivers: Sequence[str] = (),
 ) -> _Terrain:
     as_image = isinstance(z, vtkImageData)
     placed = as_image or isinstance(z, (str, os.PathLike))
@@ -104,7 +111,8 @@ def _terrain(
         for name, value in given.items():
             if value is not None:
                 raise TypeError(f"{name} is given, but an image or a file has its own; leave it out")
-        image = z if as_image else read(z, nodata=nodata)
+        image = z if as_image else read(z, nodata=nodata, allow_network=allow_network,
+                                        allow_elsewhere=allow_elsewhere, drivers=drivers)
         if not as_image:
             _check.choice("row0", row0, ("north", "south"))
     else:

@@ -109,13 +109,25 @@ def to_array(
     return values if south else values[::-1]
 
 
-def read(file: FileName, band: int = 1, *, nodata: Nodata = None) -> vtkImageData:
+def read(
+    file: FileName,
+    band: int = 1,
+    *,
+    nodata: Nodata = None,
+    allow_network: bool = False,
+    allow_elsewhere: bool = False,
+    drivers: Sequence[str] = (),
+) -> vtkImageData:
     """A raster that GDAL opens as a height field in metres, with its place: point scalars "Elevation".
 
     nodata   a value of missing posts, or several, besides the one that the file declares; as the file
              has them, before its scale and unit
 
     to_array(image) gives the heights, row 0 = NORTH edge. Raises skyline.Error, naming the file.
+
+    allow_network    True lets the file be on a server, or lead to one; default False
+    allow_elsewhere  True lets it lead to files outside its own folder; default False
+    drivers          GDAL's short names of drivers that may open it, beside those of local rasters
 
     >>> image = read("Testing/Data/dem/SainteHelens.tif")
     >>> to_array(image).shape
@@ -126,6 +138,10 @@ def read(file: FileName, band: int = 1, *, nodata: Nodata = None) -> vtkImageDat
     reader.SetBand(_check.whole("band", band, 1, 2**31 - 1))
     for value in _missing(nodata):
         reader.AddNodata(value)
+    reader.SetAllowNetwork(_check.flag("allow_network", allow_network))
+    reader.SetAllowElsewhere(_check.flag("allow_elsewhere", allow_elsewhere))
+    for name in _check.texts("drivers", drivers, "a list of GDAL's short names, such as ['WMS']"):
+        reader.AddDriver(name)
     run(reader)
     return reader.GetOutput()
 

@@ -33,7 +33,10 @@ def _reason(text: str) -> str:
     lines = text.strip().split("\n")
     if lines[0].startswith(("ERROR: In ", "Warning: In ", "Generic Warning: In ")):
         lines = lines[1:]
-    return re.sub(r"^\w+ \(0x[0-9a-f]+\): ", "", " ".join(lines).strip())
+    text = re.sub(r"^\w+ \(0x[0-9a-f]+\): ", "", " ".join(lines).strip())
+    # The options that let a file be read, as arguments.
+    text = re.sub(r"--driver (\w+)", r"drivers=['\1']", text)
+    return re.sub(r"--allow-(network|elsewhere)", r"allow_\1=True", text)
 
 
 def _pipeline(algorithm: vtkAlgorithm) -> list[vtkAlgorithm]:
