@@ -3,6 +3,7 @@
 #ifndef skyline_GdalErrors_h
 #define skyline_GdalErrors_h
 
+#include <cpl_conv.h>
 #include <cpl_error.h>
 
 #include <string>
@@ -10,7 +11,8 @@
 namespace skyline
 {
 
-/// While one lives, GDAL prints nothing from this thread, and its first failure is remembered: the
+/// While one lives, GDAL prints nothing from this thread and starts no others, and its first failure
+/// is remembered: the
 /// later ones only say that something did not work. The first one made registers GDAL's drivers.
 class GdalErrors
 {
@@ -32,6 +34,8 @@ public:
 private:
   static void CPL_STDCALL Keep(CPLErr kind, CPLErrorNum number, const char* message);
 
+  // GDAL would take every processor, and wait for ever where the system gives it no thread.
+  CPLConfigOptionSetter Alone{ "GDAL_NUM_THREADS", "1", false };
   bool Failed = false;
   std::string Message;
 };

@@ -308,6 +308,17 @@ void RasterSource::ReadValues()
   this->VtkType = this->Plain || real ? type.VtkType : (type.FitsFloat ? VTK_FLOAT : VTK_DOUBLE);
 }
 
+std::vector<std::string> RasterSource::GetFiles() const
+{
+  std::vector<std::string> files{ this->File };
+  const CPLStringList listed(this->Dataset->GetFileList());
+  for (int i = 0; i < listed.Count(); ++i)
+  {
+    files.emplace_back(listed[i]);
+  }
+  return files;
+}
+
 Georeference RasterSource::GetGeoreference(const PostWindow& window) const
 {
   if (window.Columns == this->Columns && window.Rows == this->Rows)

@@ -3,6 +3,7 @@
 
 #include "RasterSource.h"
 #include "ReadGuard.h"
+#include "SourceFiles.h"
 #include "vtkSkylineGeoreference.h"
 
 #include "vtkDataArray.h"
@@ -94,6 +95,7 @@ int vtkHeightFieldReader::RequestData(
 
       image->GetPointData()->SetScalars(heights);
       skyline::StoreGeoreference(source.GetGeoreference(window), image);
+      skyline::StoreSourceFiles(source.GetFiles(), image);
       if (source.HasNodata())
       {
         skyline::StoreNodataValue(source.GetNodata(), image);

@@ -3,6 +3,7 @@
 
 #include "AtomicFile.h"
 #include "Failure.h"
+#include "SourceFiles.h"
 #include "vtkSkylineGeoreference.h"
 
 #include "vtkAlgorithm.h"
@@ -23,7 +24,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <system_error>
 
 namespace
 {
@@ -111,12 +111,17 @@ void Middle(int count, int& first, int& last)
 namespace skyline
 {
 
-vtkSmartPointer<vtkImageData> ReadTerrain(const TerrainOptions& options, const Talk& talk)
+vtkSmartPointer<vtkImageData> ReadTerrain(
+  const TerrainOptions& options, const Talk& talk, const std::string& output)
 {
   vtkNew<vtkHeightFieldReader> reader;
   reader->SetFileName(options.File.c_str());
   reader->SetBand(options.Band);
   RunPass(reader, "read", talk);
+  if (!output.empty())
+  {
+    RefuseOverlap(output, LoadSourceFiles(reader->GetOutput()));
+  }
   return reader->GetOutput();
 }
 
@@ -156,13 +161,9 @@ Center ReadCenter(const TerrainOptions& options, const Talk& talk)
   return CenterOf(reader->GetOutput());
 }
 
-void CheckOutput(const std::string& output, const std::string& input)
+void CheckOutput(const std::string& output, const std::vector<std::string>& inputs)
 {
-  std::error_code none;
-  if (std::filesystem::equivalent(output, input, none))
-  {
-    throw Failure("cannot write '" + output + "': it is the DEM itself; choose another name");
-  }
+  RefuseOverlap(output, inputs);
   const AtomicFile probe(output); // throws where nothing can be written
 }
 

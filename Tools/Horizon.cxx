@@ -23,8 +23,8 @@ struct HorizonCommand
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    skyline::CheckOutput(this->Output.File, this->Terrain.File);
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File });
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
 
     vtkNew<vtkHeightFieldHorizon> horizon;
     horizon->SetInputData(terrain);

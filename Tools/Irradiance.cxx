@@ -38,8 +38,8 @@ struct IrradianceCommand
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    skyline::CheckOutput(this->Output.File, this->Terrain.File);
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File, this->Lights.Environment });
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
     vtkNew<vtkHeightFieldIrradiance> light;
     light->SetInputData(terrain);
     light->SetNumberOfAzimuths(this->Horizon.Azimuths);

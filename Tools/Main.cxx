@@ -55,11 +55,9 @@ int Run(int argc, char** argv)
   return 0;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+// Also says what went wrong.
+int StatusOf(int argc, char** argv)
 {
-  skyline::CatchInterrupts();
   try
   {
     return Run(argc, argv);
@@ -72,4 +70,14 @@ int main(int argc, char** argv)
   {
     return Fail(error.what(), RuntimeFailure);
   }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  skyline::CatchInterrupts();
+  const int status = StatusOf(argc, argv);
+  skyline::EndIfInterrupted();
+  return status;
 }

@@ -184,9 +184,9 @@ struct ShadeCommand
     skyline::PrepareVtk(this->Talk);
     const skyline::PictureFormat format = skyline::FormatOf(this->Output.File);
     this->CheckOptions(format);
-    skyline::CheckOutput(this->Output.File, this->Terrain.File);
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File, this->Look.Environment });
 
-    const auto terrain = this->Exaggerate(skyline::ReadTerrain(this->Terrain, this->Talk));
+    const auto terrain = this->Exaggerate(skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File));
     const skyline::Center center = skyline::CenterOf(terrain);
     const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
 

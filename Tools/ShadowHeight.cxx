@@ -29,12 +29,12 @@ struct ShadowHeightCommand
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    skyline::CheckOutput(this->Output.File, this->Terrain.File);
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File });
     if (this->Sun.LimbDarkening)
     {
       throw skyline::Failure("--limb-darkening changes no shadow height; leave it out");
     }
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
     const skyline::Center center = skyline::CenterOf(terrain);
     const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
     vtkNew<vtkShadowHeightMap> shadow;

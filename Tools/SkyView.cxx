@@ -30,7 +30,7 @@ struct SkyViewCommand
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    skyline::CheckOutput(this->Output.File, this->Terrain.File);
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File });
 
     // Every quantity once, in the order asked for.
     std::vector<std::string> wanted;
@@ -44,7 +44,7 @@ struct SkyViewCommand
     const auto asked = [&](const char* name)
     { return std::find(wanted.begin(), wanted.end(), name) != wanted.end(); };
 
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
     vtkNew<vtkHeightFieldSkyView> sky;
     sky->SetInputData(terrain);
     sky->SetNumberOfAzimuths(this->Horizon.Azimuths);

@@ -57,8 +57,8 @@ struct SunCommand
 
   void Write() const
   {
-    skyline::CheckOutput(this->Output.File, this->Terrain.File);
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File });
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
     vtkNew<vtkHeightFieldSunShadow> shadow;
     shadow->SetInputData(terrain);
     this->Horizon.Apply(shadow.Get());
