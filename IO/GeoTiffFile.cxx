@@ -7,6 +7,7 @@
 #include "CheckedVsi.h"
 #include "GdalErrors.h"
 #include "GeoTiffCheck.h"
+#include "GeoTiffRows.h"
 #include "TiffBlockTable.h"
 #include "vtkSkylineGeoreference.h"
 
@@ -413,14 +414,14 @@ private:
       std::clamp(PartBytes / (rowBytes * blockRows), 1.0, static_cast<double>(down)));
     const int parts = (down + partDown - 1) / partDown;
     const int jobs = parts * bands;
+    const CPLStringList options = this->BlockOptions();
+    const PackingWay part{ &this->Content, this->Nodata, this->Type, this->Buffer, options.List() };
     std::vector<PackedRows> packed(static_cast<std::size_t>(jobs));
     const auto work = [&](int job)
     {
       const int row = job / bands * partDown * blockRows;
       const int count = std::min(partDown * blockRows, this->Content.Rows - row);
-      PackedRows& result = packed[static_cast<std::size_t>(job)];
-      this->Buffer == GDT_Float32 ? this->Pack<float>(job % bands, row, count, result)
-                                  : this->Pack<double>(job % bands, row, count, result);
+      packed[static_cast<std::size_t>(job)] = PackRows(part, job % bands, row, count, this->File);
     };
     const auto finish = [&](int begin, int end)
     {
@@ -454,88 +455,6 @@ private:
       this->File.Fail(error);
     }
   }
-
-  /// Rows of a band, packed: the blocks are bytes at a place.
-  struct PackedRows
-  {
-    std::vector<GByte> Bytes;
-    std::vector<std::pair<std::size_t, std::size_t>> Blocks;
-  };
-
-  /// In any thread.
-  template <typename T>
-  void Pack(int band, int row, int count, PackedRows& result) const
-  {
-    const GdalErrors errors;
-    const auto check = [&](bool good)
-    {
-      if (!good || errors.Any())
-      {
-        this->File.Fail(errors.First("GDAL could not pack some rows"));
-      }
-    };
-    const int columns = this->Content.Columns;
-    std::vector<T> rows(static_cast<std::size_t>(columns) * static_cast<std::size_t>(count));
-    GatherRows(this->Content, this->Nodata, rows.data(), rows.size(), row, count, band, 1);
-
-    CPLStringList options = this->BlockOptions();
-    const int blockRows = std::atoi(options.FetchNameValueDef("BLOCKYSIZE", "1"));
-    if (!options.FetchBool("TILED", false))
-    {
-      options.SetNameValue("BLOCKYSIZE", std::to_string(std::min(blockRows, count)).c_str());
-    }
-    const MemoryFile file(&result);
-    std::unique_ptr<GDALDataset, Closer> dataset(this->Driver("GTiff")->Create(
-      file.Name.c_str(), columns, count, 1, this->Type, options.List()));
-    check(dataset != nullptr);
-    check(dataset->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, columns, count, rows.data(), columns,
-            count, this->Buffer, 0, 0, nullptr) == CE_None);
-    dataset->FlushCache(false);
-    dataset.reset();
-    check(true);
-
-    dataset.reset(GDALDataset::Open(file.Name.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR));
-    check(dataset != nullptr);
-    GDALRasterBand* packed = dataset->GetRasterBand(1);
-    int blockColumns = 1, blockHeight = 1;
-    packed->GetBlockSize(&blockColumns, &blockHeight);
-    for (int y = 0; y * blockHeight < count; ++y)
-    {
-      for (int x = 0; x * blockColumns < columns; ++x)
-      {
-        const std::string place = std::to_string(x) + "_" + std::to_string(y);
-        const char* offset = packed->GetMetadataItem(("BLOCK_OFFSET_" + place).c_str(), "TIFF");
-        check(offset != nullptr);
-        const auto begin = static_cast<std::size_t>(std::strtoull(offset, nullptr, 10));
-        const char* size = packed->GetMetadataItem(("BLOCK_SIZE_" + place).c_str(), "TIFF");
-        check(size != nullptr);
-        result.Blocks.emplace_back(
-          begin, static_cast<std::size_t>(std::strtoull(size, nullptr, 10)));
-      }
-    }
-    dataset.reset();
-    vsi_l_offset length = 0;
-    const GByte* bytes = VSIGetMemFileBuffer(file.Name.c_str(), &length, FALSE);
-    check(bytes != nullptr);
-    result.Bytes.assign(bytes, bytes + length);
-    for (const auto& [place, size] : result.Blocks)
-    {
-      check(size > 0 && place <= length && size <= length - place);
-    }
-  }
-
-  /// The name of a file in memory, which goes at the end.
-  struct MemoryFile
-  {
-    explicit MemoryFile(const void* owner)
-      : Name("/vsimem/skyline/" + std::to_string(reinterpret_cast<std::uintptr_t>(owner)) + ".tif")
-    {
-    }
-    ~MemoryFile() { VSIUnlink(this->Name.c_str()); }
-    MemoryFile(const MemoryFile&) = delete;
-    MemoryFile& operator=(const MemoryFile&) = delete;
-    std::string Name;
-  };
 
   void Close()
   {

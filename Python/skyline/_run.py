@@ -11,7 +11,7 @@ from typing import Any, Iterator
 
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
-from . import _warnings
+from . import _threads, _warnings
 
 
 class Error(RuntimeError):
@@ -100,6 +100,7 @@ def reported(*speakers: Any) -> Iterator[None]:
 
 def run(algorithm: vtkAlgorithm, call: Any = None) -> None:
     """Updates the algorithm, or makes the call that does; raises Error with what is reported."""
+    _threads.prepare()
     algorithms = _pipeline(algorithm)
     speakers = algorithms + [one.GetExecutive() for one in algorithms]
     with reported(*speakers), _stopped_by_interrupt(algorithms):
