@@ -80,8 +80,7 @@ std::string ExtensionOf(const std::string& path)
 int DescriptorOf(const std::string& path)
 {
   const std::string name = path.substr(path.rfind('/') + 1);
-  if (name.empty() || name.size() > 9 ||
-    name.find_first_not_of("0123456789") != std::string::npos)
+  if (name.empty() || name.size() > 9 || name.find_first_not_of("0123456789") != std::string::npos)
   {
     return -1;
   }
@@ -264,8 +263,7 @@ void AtomicFile::KeepRights()
     const bool owned = ::fchown(file, old.st_uid, old.st_gid) == 0 ||
       ::fchown(file, static_cast<uid_t>(-1), old.st_gid) == 0;
     std::array<char, 4096> list;
-    const ssize_t length =
-      ::getxattr(this->Real.c_str(), AccessList, list.data(), list.size());
+    const ssize_t length = ::getxattr(this->Real.c_str(), AccessList, list.data(), list.size());
     bool listed = length < 0 && (errno == ENODATA || errno == ENOTSUP);
     if (listed)
     {
@@ -295,8 +293,7 @@ void AtomicFile::KeepRights()
 
 void AtomicFile::SyncFolder() const
 {
-  const int folder =
-    ::open(FolderOf(this->Real).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int folder = ::open(FolderOf(this->Real).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   const int error = folder < 0 || ::fsync(folder) == 0 ? 0 : errno;
   if (folder >= 0)
   {

@@ -65,8 +65,8 @@ private:
   int OpenDevice() const;
   void CopyToDevice();
 
-  std::string Target; ///< as the caller spelled it
-  std::string Real;   ///< behind symbolic links
+  std::string Target;  ///< as the caller spelled it
+  std::string Real;    ///< behind symbolic links
   int Descriptor = -1; ///< of this process, where the target names one
   bool Device = false;
   std::optional<Temporary> File;

@@ -6,6 +6,7 @@
 #include "Batches.h"
 #include "GdalErrors.h"
 
+#include <cpl_conv.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
@@ -96,6 +97,8 @@ private:
 
   Dataset Open(const GdalErrors& errors) const
   {
+    // Every job opens it: the folder may be long.
+    const CPLConfigOptionSetter noListing("GDAL_DISABLE_READDIR_ON_OPEN", "TRUE", false);
     const std::array<const char*, 2> drivers{ { "GTiff", nullptr } };
     Dataset dataset(GDALDataset::Open(this->File.GetPath().c_str(),
       GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, drivers.data()));
@@ -150,8 +153,8 @@ private:
       }
       int found = 0;
       const double nodata = band->GetNoDataValue(&found);
-      const bool same = nodata == this->Promise.Nodata ||
-        (std::isnan(nodata) && std::isnan(this->Promise.Nodata));
+      const bool same =
+        nodata == this->Promise.Nodata || (std::isnan(nodata) && std::isnan(this->Promise.Nodata));
       if (this->Promise.DeclareNodata && (!found || !same))
       {
         this->Fail("the nodata value of band " + std::to_string(i + 1));
@@ -214,8 +217,8 @@ private:
 
 } // namespace
 
-void CheckGeoTiff(const GeoTiffPromise& promise, const AtomicFile& file,
-  const std::function<void(double)>& report)
+void CheckGeoTiff(
+  const GeoTiffPromise& promise, const AtomicFile& file, const std::function<void(double)>& report)
 {
   GeoTiffChecker(promise, file).Check(report);
 }

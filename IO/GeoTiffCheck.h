@@ -28,8 +28,8 @@ struct GeoTiffPromise
 /// place on the map, the nodata value and the descriptions with what they should be. Overviews are
 /// read, not compared. Throws IoFailure where the file is not what was promised.
 /// `report` gets the part done and may throw.
-void CheckGeoTiff(const GeoTiffPromise& promise, const AtomicFile& file,
-  const std::function<void(double)>& report);
+void CheckGeoTiff(
+  const GeoTiffPromise& promise, const AtomicFile& file, const std::function<void(double)>& report);
 
 } // namespace skyline
 

@@ -20,9 +20,9 @@ class AtomicFile;
 struct PackingWay
 {
   const GeoTiffContent* Content = nullptr;
-  double Nodata = 0.0;                ///< in place of missing posts
-  GDALDataType Stored = GDT_Float32;  ///< the band's type
-  GDALDataType Buffer = GDT_Float32;  ///< numbers as GDAL gets them: Float32 or Float64
+  double Nodata = 0.0;                  ///< in place of missing posts
+  GDALDataType Stored = GDT_Float32;    ///< the band's type
+  GDALDataType Buffer = GDT_Float32;    ///< numbers as GDAL gets them: Float32 or Float64
   const char* const* Options = nullptr; ///< creation options of GDAL's GTiff driver
 };
 
@@ -35,8 +35,7 @@ struct PackedRows
 
 /// Packs rows [row, row + count) from the top of the band `band`, counted from 0; `row` begins a row of
 /// blocks. What GDAL reports in this thread is thrown as an IoFailure of `file`.
-PackedRows PackRows(
-  const PackingWay& way, int band, int row, int count, const AtomicFile& file);
+PackedRows PackRows(const PackingWay& way, int band, int row, int count, const AtomicFile& file);
 
 } // namespace skyline
 

@@ -89,6 +89,10 @@ private:
     {
       return false;
     }
+    if (name.rfind("/vsistdin/", 0) == 0 && this->FindsAt("/dev/stdin", folder))
+    {
+      return true; // the shell's <
+    }
     std::vector<std::size_t> begins{ 0 }, ends{ name.size() };
     for (std::size_t i = 0; i < name.size(); ++i)
     {
@@ -176,8 +180,7 @@ private:
     }
     const XmlTree tree(CPLParseXMLFile(path.c_str()), CPLDestroyXMLNode);
     const std::size_t slash = path.rfind('/');
-    return this->FindsInTree(
-      tree.get(), slash == std::string::npos ? "." : path.substr(0, slash));
+    return this->FindsInTree(tree.get(), slash == std::string::npos ? "." : path.substr(0, slash));
   }
 
   /// Any text of it may be a name.
@@ -216,8 +219,8 @@ std::vector<std::string> LoadSourceFiles(vtkDataObject* data)
 {
   std::vector<std::string> names;
   vtkFieldData* fields = data ? data->GetFieldData() : nullptr;
-  auto* array = vtkStringArray::SafeDownCast(
-    fields ? fields->GetAbstractArray(SourceFilesArrayName) : nullptr);
+  auto* array =
+    vtkStringArray::SafeDownCast(fields ? fields->GetAbstractArray(SourceFilesArrayName) : nullptr);
   for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
   {
     names.push_back(array->GetValue(i));

@@ -18,8 +18,7 @@ namespace skyline
 constexpr const char* SourceFilesArrayName = "SourceFiles";
 
 /// Puts the names into the field data of `data`, made absolute where they are files.
-SKYLINEIO_EXPORT void StoreSourceFiles(
-  const std::vector<std::string>& names, vtkDataObject* data);
+SKYLINEIO_EXPORT void StoreSourceFiles(const std::vector<std::string>& names, vtkDataObject* data);
 
 /// The names in the field data of `data`; none where there are none.
 SKYLINEIO_EXPORT std::vector<std::string> LoadSourceFiles(vtkDataObject* data);

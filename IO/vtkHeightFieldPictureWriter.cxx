@@ -114,28 +114,22 @@ private:
   skyline::CheckedFile File;
 };
 
-/// While one lives, OpenImageIO and OpenEXR start no threads: they would take every processor, and
-/// their errors would not be heard.
-class OneThread
+/// While one lives, OpenEXR starts no threads: it would take every processor, and its errors would not
+/// be heard. OpenImageIO's own are held back file by file, for setting their number starts some.
+class NoExrThreads
 {
 public:
-  OneThread()
+  NoExrThreads()
   {
-    OIIO::getattribute("threads", this->Threads);
-    OIIO::getattribute("exr_threads", this->ExrThreads);
-    OIIO::attribute("threads", 1);
+    OIIO::getattribute("exr_threads", this->Before);
     OIIO::attribute("exr_threads", -1);
   }
-  ~OneThread()
-  {
-    OIIO::attribute("threads", this->Threads);
-    OIIO::attribute("exr_threads", this->ExrThreads);
-  }
-  OneThread(const OneThread&) = delete;
-  OneThread& operator=(const OneThread&) = delete;
+  ~NoExrThreads() { OIIO::attribute("exr_threads", this->Before); }
+  NoExrThreads(const NoExrThreads&) = delete;
+  NoExrThreads& operator=(const NoExrThreads&) = delete;
 
 private:
-  int Threads = 1, ExrThreads = 1;
+  int Before = 0;
 };
 
 /// Pixels as they were handed to OpenImageIO: the first line is the picture's top.
@@ -163,6 +157,7 @@ void CheckPicture(const Picture& picture, const skyline::AtomicFile& file, const
   {
     file.Fail("the picture cannot be read back: " + OIIO::geterror());
   }
+  input->threads(1);
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.width != picture.Columns || spec.height != picture.Rows ||
     spec.nchannels != picture.Channels || spec.format != picture.Stored)
@@ -175,14 +170,15 @@ void CheckPicture(const Picture& picture, const skyline::AtomicFile& file, const
   for (int row = 0; row < picture.Rows; row += CheckedLines)
   {
     const int end = std::min(row + CheckedLines, picture.Rows);
-    if (!input->read_scanlines(0, 0, row, end, 0, 0, picture.Channels, picture.Stored, stored.data()))
+    if (!input->read_scanlines(
+          0, 0, row, end, 0, 0, picture.Channels, picture.Stored, stored.data()))
     {
       file.Fail("the picture cannot be read back: " + input->geterror());
     }
     for (int line = row; line < end; ++line)
     {
-      OIIO::convert_pixel_values(picture.Source, picture.Top + line * picture.Line, picture.Stored,
-        wanted.data(), values);
+      OIIO::convert_pixel_values(
+        picture.Source, picture.Top + line * picture.Line, picture.Stored, wanted.data(), values);
       const char* found = stored.data() + static_cast<std::size_t>(line - row) * lineBytes;
       if (!std::equal(wanted.begin(), wanted.end(), found))
       {
@@ -266,13 +262,14 @@ void vtkHeightFieldPictureWriter::WriteImage(vtkImageData* image, const skyline:
   const OIIO::TypeDesc source = bytes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
   const OIIO::TypeDesc stored = half ? OIIO::TypeDesc(OIIO::TypeDesc::HALF) : source;
   this->Report(0.0);
-  const OneThread alone;
+  const NoExrThreads alone;
   CheckedProxy proxy(file.GetPath());
   const auto output = OIIO::ImageOutput::create(file.GetPath(), &proxy);
   if (!output)
   {
     file.Fail(OIIO::geterror());
   }
+  output->threads(1);
   bool written = output->open(file.GetPath(), Describe(columns, rows, channels, stored));
 
   const OIIO::stride_t line = static_cast<OIIO::stride_t>(source.size()) * channels * columns;

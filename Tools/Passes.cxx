@@ -189,8 +189,7 @@ void PrepareVtk(const Talk& talk)
   {
     vtkSMPTools::Initialize(threads);
   }
-  // What libraries start on their own: OpenImageIO, and Mesa where it draws on the processor.
-  ::setenv("OPENIMAGEIO_THREADS", "1", 0);
+  // What Mesa starts where it draws on the processor.
   ::setenv("LP_NUM_THREADS", std::to_string(threads == 1 ? 0 : threads).c_str(), 0);
 }
 

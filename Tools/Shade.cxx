@@ -186,7 +186,8 @@ struct ShadeCommand
     this->CheckOptions(format);
     skyline::CheckOutput(this->Output.File, { this->Terrain.File, this->Look.Environment });
 
-    const auto terrain = this->Exaggerate(skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File));
+    const auto terrain =
+      this->Exaggerate(skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File));
     const skyline::Center center = skyline::CenterOf(terrain);
     const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
 

@@ -161,8 +161,8 @@ TEST(AtomicFile, Descriptors)
   ::close(log);
   EXPECT_EQ(Get(folder + "/log"), "before result result ");
   const int closed = ::open((folder + "/log").c_str(), O_RDONLY);
-  EXPECT_NE(ReasonFor("/dev/fd/" + std::to_string(closed)).find("Bad file descriptor"),
-    std::string::npos);
+  EXPECT_NE(
+    ReasonFor("/dev/fd/" + std::to_string(closed)).find("Bad file descriptor"), std::string::npos);
   ::close(closed);
 }
 
