@@ -82,7 +82,7 @@ public:
     RunInBatches(jobs, work, [&](int, int end) { report(static_cast<double>(end) / jobs); });
     for (int level = 0; level < band->GetOverviewCount(); ++level)
     {
-      for (int b = 1; b <= bands; ++b)
+      for (int b = 1; b <= groups; ++b) // shared blocks are read with the first band
       {
         this->ReadThrough(dataset->GetRasterBand(b)->GetOverview(level), errors);
       }
