@@ -6,6 +6,7 @@
 #include <gdal.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <mutex>
 
 namespace skyline
@@ -53,6 +54,11 @@ void GdalErrors::Keep(CPLErr kind, CPLErrorNum, const char* message)
     return;
   }
   self->Failed = true;
+  if (kind == CE_Fatal)
+  {
+    // GDAL calls abort next, as it does where memory for a table of its own is missing.
+    std::fprintf(stderr, "skyline: GDAL ends the program: %s\n", message ? message : "no reason");
+  }
   if (self->Message.empty() && message)
   {
     self->Message = FirstLine(message);

@@ -3,6 +3,7 @@
 #ifndef skyline_GdalErrors_h
 #define skyline_GdalErrors_h
 
+#include <cpl_conv.h>
 #include <cpl_error.h>
 
 #include <string>
@@ -11,7 +12,7 @@
 namespace skyline
 {
 
-/// While one lives, GDAL prints nothing from this thread. Its first failure is remembered, for the
+/// While one lives, GDAL prints nothing from this thread and starts no others. Its first failure is remembered, for the
 /// later ones only say that something did not work, and every warning. The first one made registers
 /// GDAL's drivers.
 class GdalErrors
@@ -37,6 +38,8 @@ public:
 private:
   static void CPL_STDCALL Keep(CPLErr kind, CPLErrorNum number, const char* message);
 
+  // GDAL would take every processor, and wait for ever where the system gives it no thread.
+  CPLConfigOptionSetter Alone{ "GDAL_NUM_THREADS", "1", false };
   bool Failed = false;
   std::string Message;
   std::vector<std::string> Warnings;

@@ -103,9 +103,8 @@ GDALDataType GdalTypeOf(int vtkType)
 
 } // namespace
 
-RasterSource::RasterSource(
-  const std::string& file, int band, const std::vector<double>& furtherNodata,
-  const SourcePolicy& policy, const std::string& spooled)
+RasterSource::RasterSource(const std::string& file, int band,
+  const std::vector<double>& furtherNodata, const SourcePolicy& policy, const std::string& spooled)
   : File(file)
   , Opened(spooled.empty() ? file : spooled)
   , Guard(this->Opened, policy, spooled.empty() ? "" : ".")
@@ -284,6 +283,17 @@ void RasterSource::ReadValues()
     this->FurtherNodata.empty() && !this->HasMask;
   const bool real = type.VtkType == VTK_FLOAT || type.VtkType == VTK_DOUBLE;
   this->VtkType = this->Plain || real ? type.VtkType : (type.FitsFloat ? VTK_FLOAT : VTK_DOUBLE);
+}
+
+std::vector<std::string> RasterSource::GetFiles() const
+{
+  std::vector<std::string> files{ this->File };
+  const CPLStringList listed(this->Dataset->GetFileList());
+  for (int i = 0; i < listed.Count(); ++i)
+  {
+    files.emplace_back(listed[i]);
+  }
+  return files;
 }
 
 Georeference RasterSource::GetGeoreference(const PostWindow& window) const

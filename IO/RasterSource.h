@@ -54,6 +54,9 @@ public:
   /// The georeference of part of the raster. Its row spacings are the whole raster's.
   Georeference GetGeoreference(const PostWindow& window) const;
 
+  /// The files that the raster is read from, as GDAL knows them.
+  std::vector<std::string> GetFiles() const;
+
   bool HasNodata() const { return this->DeclaresNodata; }
   double GetNodata() const { return this->Nodata; }
 

@@ -5,6 +5,7 @@
 #include "MemoryDemand.h"
 #include "RasterSource.h"
 #include "ReadGuard.h"
+#include "SourceFiles.h"
 #include "SourcePolicy.h"
 #include "StreamSpool.h"
 #include "vtkSkylineGeoreference.h"
@@ -231,6 +232,7 @@ int vtkHeightFieldReader::RequestData(
       }
       image->GetPointData()->SetScalars(heights);
       skyline::StoreGeoreference(source.GetGeoreference(window), image);
+      skyline::StoreSourceFiles(source.GetFiles(), image);
       if (source.HasNodata())
       {
         skyline::StoreNodataValue(source.GetNodata(), image);

@@ -8,9 +8,11 @@
 #include "Report.h"
 #include "Scenes.h"
 #include "Session.h"
+#include "SourceFiles.h"
 #include "Values.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -29,6 +31,9 @@ using namespace skyline::benchmark;
 
 constexpr int LeastSize = 32;  // of a made scene: below, no window of posts is left
 constexpr int MostSize = 4096; // above, the truth takes longer than the methods
+
+constexpr std::array<const char*, 4> ReportFiles{ { "index.html", "results.csv", "results.json",
+  "pareto.svg" } };
 
 constexpr double MostBudget = 1e6; // seconds
 
@@ -146,6 +151,10 @@ struct BenchmarkCommand
     {
       throw skyline::WrongUsage(
         "nothing to measure: no scene and no DEM; name a DEM or leave --scenes none out");
+    }
+    for (const char* name : ReportFiles)
+    {
+      skyline::RefuseOverlap((fs::path(this->Folder) / name).string(), this->Options.Rasters);
     }
     ReportFolder folder(this->Folder);
     const bool shown = !this->Talk.Quiet && isatty(STDERR_FILENO) != 0;

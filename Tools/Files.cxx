@@ -3,6 +3,7 @@
 
 #include "AtomicFile.h"
 #include "Failure.h"
+#include "SourceFiles.h"
 #include "vtkSkylineGeoreference.h"
 
 #include "vtkAlgorithm.h"
@@ -24,7 +25,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <limits>
-#include <system_error>
 
 namespace
 {
@@ -172,10 +172,15 @@ vtkSmartPointer<vtkHeightFieldReader> MakeReader(const skyline::TerrainOptions& 
 namespace skyline
 {
 
-vtkSmartPointer<vtkImageData> ReadTerrain(const TerrainOptions& options, const Talk& talk)
+vtkSmartPointer<vtkImageData> ReadTerrain(
+  const TerrainOptions& options, const Talk& talk, const std::string& output)
 {
   const auto reader = MakeReader(options);
   RunPass(reader, "read", talk);
+  if (!output.empty())
+  {
+    RefuseOverlap(output, LoadSourceFiles(reader->GetOutput()));
+  }
   return reader->GetOutput();
 }
 
@@ -227,13 +232,9 @@ Center ReadCenter(const TerrainOptions& options, const Talk& talk)
   return CenterOf(reader->GetOutput(), talk);
 }
 
-void CheckOutput(const std::string& output, const std::string& input)
+void CheckOutput(const std::string& output, const std::vector<std::string>& inputs)
 {
-  std::error_code none;
-  if (std::filesystem::equivalent(output, input, none))
-  {
-    throw Failure("cannot write '" + output + "': it is the DEM itself; choose another name");
-  }
+  RefuseOverlap(output, inputs);
   const AtomicFile probe(output); // throws where nothing can be written
 }
 
@@ -270,7 +271,8 @@ PictureFormat FormatOf(const std::string& file)
   {
     return PictureFormat::Tiff;
   }
-  throw WrongUsage("--output: cannot write '" + file + "': a picture's name ends in .png, .exr or .tif");
+  throw WrongUsage(
+    "--output: cannot write '" + file + "': a picture's name ends in .png, .exr or .tif");
 }
 
 void WritePicture(

@@ -18,7 +18,9 @@ namespace skyline
 {
 
 /// The heights, with their georeference in field data. Throws Failure as the reader words it.
-vtkSmartPointer<vtkImageData> ReadTerrain(const TerrainOptions& options, const Talk& talk);
+/// With `output`, throws Failure too if that is a file that the heights were read from.
+vtkSmartPointer<vtkImageData> ReadTerrain(
+  const TerrainOptions& options, const Talk& talk, const std::string& output = "");
 
 /// The middle of a height field.
 struct Center
@@ -33,8 +35,8 @@ Center CenterOf(vtkImageData* terrain, const Talk& talk);
 /// The same, reading no more of the file than is needed: the middle, and more where that is missing.
 Center ReadCenter(const TerrainOptions& options, const Talk& talk);
 
-/// Before any work: throws Failure if `output` cannot become a file, or is the input.
-void CheckOutput(const std::string& output, const std::string& input);
+/// Before any work: throws Failure if `output` cannot become a file, or is part of an input.
+void CheckOutput(const std::string& output, const std::vector<std::string>& inputs);
 
 /// Writes point arrays of an updated algorithm's output as the bands of a GeoTIFF. Throws Failure,
 /// and leaves no file, if that fails.

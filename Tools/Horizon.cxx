@@ -26,8 +26,8 @@ struct HorizonCommand
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    skyline::CheckOutput(this->Output.File, this->Terrain.File);
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File });
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
     this->Horizon.WarnIdle(terrain, this->Talk);
 
     vtkNew<vtkHeightFieldHorizon> horizon;

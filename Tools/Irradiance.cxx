@@ -76,7 +76,7 @@ struct IrradianceCommand
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    skyline::CheckOutput(this->Output.File, this->Terrain.File);
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File, this->Lights.Environment });
     this->Lights.Sun.WarnOfZone(this->Talk);
     if (this->Kind() == skyline::SkyKind::Formula && !this->Lights.Sun.Asked())
     {
@@ -86,7 +86,7 @@ struct IrradianceCommand
         this->Talk);
     }
     this->Lights.WarnOfTurnedSky(this->Kind(), this->Talk);
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
     this->Horizon.WarnIdle(terrain, this->Talk);
     vtkNew<vtkHeightFieldIrradiance> light;
     light->SetInputData(terrain);

@@ -148,11 +148,9 @@ int Run(int argc, char** argv)
   return 0;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+// Also says what went wrong.
+int StatusOf(int argc, char** argv)
 {
-  skyline::CatchInterrupts();
   try
   {
     return Run(argc, argv);
@@ -165,4 +163,14 @@ int main(int argc, char** argv)
   {
     return Fail(error.what(), RuntimeFailure);
   }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  skyline::CatchInterrupts();
+  const int status = StatusOf(argc, argv);
+  skyline::EndIfInterrupted();
+  return status;
 }

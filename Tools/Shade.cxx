@@ -200,9 +200,10 @@ struct ShadeCommand
     skyline::LightOptions lights = this->Lights;
     lights.Environment = this->Look.Environment;
     lights.WarnOfTurnedSky(this->Kind(), this->Talk);
-    skyline::CheckOutput(this->Output.File, this->Terrain.File);
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File, this->Look.Environment });
 
-    const auto terrain = this->Exaggerate(skyline::ReadTerrain(this->Terrain, this->Talk));
+    const auto terrain =
+      this->Exaggerate(skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File));
     this->Horizon.WarnIdle(terrain, this->Talk);
     const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
     const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);

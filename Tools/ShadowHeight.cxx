@@ -36,7 +36,7 @@ struct ShadowHeightCommand
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    skyline::CheckOutput(this->Output.File, this->Terrain.File);
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File });
     this->Sun.WarnOfZone(this->Talk);
     if (this->Horizon.Method == "fast")
     {
@@ -44,7 +44,7 @@ struct ShadowHeightCommand
         skyline::Doubt{ "no method finds shadow heights faster than exact", "--method exact", "" },
         this->Talk);
     }
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
     this->Horizon.WarnIdle(terrain, this->Talk);
     const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
     const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);

@@ -38,7 +38,7 @@ struct SkyViewCommand
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    skyline::CheckOutput(this->Output.File, this->Terrain.File);
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File });
 
     // Every quantity once, in the order asked for.
     std::vector<std::string> wanted;
@@ -57,7 +57,7 @@ struct SkyViewCommand
       throw CLI::ValidationError("--edge-distance is for --quantity EdgeTrust; ask for it too");
     }
 
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
     this->Horizon.WarnIdle(terrain, this->Talk);
     vtkNew<vtkHeightFieldSkyView> sky;
     sky->SetInputData(terrain);

@@ -13,7 +13,7 @@ from typing import Any
 
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkTrivialProducer
 
-from . import SkylineFilters, _warnings
+from . import SkylineFilters, _threads, _warnings
 
 # Filters/PythonUpdate.cxx; ctypes sets Python's lock free around it.
 _update = ctypes.CDLL(SkylineFilters.__file__).SkylineUpdateAlgorithm
@@ -162,6 +162,7 @@ def run(algorithm: vtkAlgorithm, call: Any = None) -> None:
     Other threads of Python run meanwhile, unless a call is given or some of the pipeline's classes may
     need Python. Runs of several threads wait for each other: each takes all processors.
     """
+    _threads.prepare()
     algorithms = _pipeline(algorithm)
     speakers = algorithms + [one.GetExecutive() for one in algorithms]
     with _one_at_a_time, reported(*speakers), _Stopper(algorithms):

@@ -237,7 +237,7 @@ class Irradiance(ToolTest):
         self.refused(1, "irradiance", self.path("nowhere.tif"), "-o", out, says="nowhere.tif")
         self.refused(1, "irradiance", dem, "-o", self.path("no/such/out.tif"))
         self.refused(1, "irradiance", dem, "-o", "/dev/full")
-        self.refused(1, "irradiance", dem, "-o", dem, says="DEM itself")
+        self.refused(1, "irradiance", dem, "-o", dem, says="part of the input")
 
     def test_wrong_usage(self):
         dem = make(self.path("dem.tif"), hills(9, 8), epsg=UTM10)
