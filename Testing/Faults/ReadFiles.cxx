@@ -14,6 +14,7 @@
 #include "vtkImageData.h"
 #include "vtkLightMapReader.h"
 #include "vtkNew.h"
+#include "vtkOutputWindow.h"
 #include "vtkPointData.h"
 
 #include <chrono>
@@ -120,7 +121,7 @@ int main(int argc, char** argv)
     return 2;
   }
   const auto patience = static_cast<unsigned int>(std::strtoul(argv[1], nullptr, 10));
-  vtkObject::GlobalWarningDisplayOff();
+  vtkOutputWindow::GetInstance()->SetDisplayModeToNever(); // what nobody observes
   std::string kind, file;
   while (std::cin >> kind && std::getline(std::cin >> std::ws, file))
   {

@@ -4,8 +4,8 @@
 Most allocations of a run are small and of libraries; those of more than LEAST bytes are the buffers that
 results go through, and get half of the faults.
 """
-import Program
 from Faults import RUNS, Fault, FaultTest, Tally, report, rounds, run_all
+import Program
 
 LEAST = 16 * 1024
 
