@@ -192,14 +192,6 @@ def bomb(folder):
     return put(folder, "hostile.vrt", VRT % (1 << 16, 1 << 16, RAW % (1, "/vsigzip/data.bin.gz")))
 
 
-def envi_of_secret(folder):
-    """A header in the folder over data that a link brings in from elsewhere."""
-    os.symlink(secret(folder), os.path.join(folder, "hostile.img"))
-    put(folder, "hostile.hdr", "ENVI\nsamples = 16\nlines = 16\nbands = 1\nheader offset = 0\n"
-        "file type = ENVI Standard\ndata type = 1\ninterleave = bsq\nbyte order = 0\n")
-    return os.path.join(folder, "hostile.img")
-
-
 # What it is, what may become of it, and the function that makes it.
 RASTERS = [
     ("TMS in a .tif", REFUSED, text("hostile.tif", WMS)),
@@ -224,7 +216,6 @@ RASTERS = [
     ("raw band of a file elsewhere", REFUSED, of_secret(RAW)),
     ("raw band of a file elsewhere, relative", REFUSED, relative_secret),
     ("raw band of a link elsewhere", REFUSED, linked_secret),
-    ("ENVI header over a link elsewhere", SAFE, envi_of_secret),
     ("raw band of /etc/passwd", REFUSED, vrt(RAW % (0, "/etc/passwd"))),
     ("raw band of /dev/zero", REFUSED, vrt(RAW % (0, "/dev/zero"))),
     ("raw band of a pipe", REFUSED, pipe_in_vrt),

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One call of the system fails, or all from one on: no wrong file with exit 0, no hang, no litter."""
-import Program
 from Faults import ERRORS, KINDS, RUNS, Fault, FaultTest, Tally, report, rounds, run_all
+import Program
 
 # One fault in so many lasts: a full disk, a limit on threads.
 LASTING = 0.25
