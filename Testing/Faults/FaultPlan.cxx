@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -22,11 +23,13 @@ namespace
 
 constexpr std::size_t Kinds = static_cast<std::size_t>(Call::Count);
 
-/// What the file of counts holds: calls of every kind, then how many of them failed.
+/// What the file of counts holds: calls of every kind, how many of them failed, and when a signal was
+/// sent, by the monotonic clock.
 struct FaultCounts
 {
   std::atomic<std::uint64_t> Calls[Kinds];
   std::atomic<std::uint64_t> Failed;
+  std::atomic<std::uint64_t> SentNanoseconds;
 };
 static_assert(std::atomic<std::uint64_t>::is_always_lock_free, "threads and a reader share it");
 
@@ -119,6 +122,10 @@ Fault Next(Call call) noexcept
   ++Counts->Failed;
   if (Plan.Signal != 0)
   {
+    timespec now;
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    Counts->SentNanoseconds = static_cast<std::uint64_t>(now.tv_sec) * 1000000000u +
+      static_cast<std::uint64_t>(now.tv_nsec);
     (void)::syscall(SYS_kill, ::getpid(), Plan.Signal);
     return Fault::None;
   }

@@ -147,9 +147,10 @@ class Case:
 
     def counted(self):
         if not os.path.exists(self.counts):
-            return dict.fromkeys(KINDS, 0)
+            return dict.fromkeys([*KINDS, "failed", "sent"], 0)
         with open(self.counts, "rb") as file:
-            return dict(zip([*KINDS, "failed"], struct.unpack("%dQ" % (len(KINDS) + 1), file.read())))
+            numbers = struct.unpack("%dQ" % (len(KINDS) + 2), file.read())
+        return dict(zip([*KINDS, "failed", "sent"], numbers))
 
     def clear(self):
         """The folder as before the command: an old raster, its side file and nothing else."""
@@ -220,7 +221,8 @@ class Case:
                                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CORE, (0, 0)))
 
     def run(self, fault):
-        """Runs with the fault; returns the verdict, what was said, and the seconds."""
+        """Runs with the fault; returns the verdict, what was said, and the seconds; those after a signal,
+        if the fault is one."""
         start = time.monotonic()
         running = self.start(fault)
         try:
@@ -229,7 +231,9 @@ class Case:
             running.kill()
             running.communicate()
             return "HUNG", "", time.monotonic() - start
-        seconds = time.monotonic() - start
+        end = time.monotonic()
+        sent = self.counted()["sent"] * 1e-9
+        seconds = end - sent if sent else end - start
         verdict = self.judge(running.returncode, out, said, fault.error.startswith("signal"))
         return verdict, said.decode(errors="replace"), seconds
 
@@ -244,7 +248,7 @@ class Case:
             whole = timeless(self.bytes_of(self.out)) == self.good if killed else self.is_good()
             return "failed, new file" if whole else "SPOILT"
         if code < 0:
-            return "died"
+            return "ended by the signal" if killed else "died"
         if not self.python and not said.strip():
             return "silent"
         return "refused" if code == 1 else "exit %d" % code
@@ -254,11 +258,15 @@ class Case:
         verdict, said, _ = self.run(Fault())
         if verdict != "right":
             return ["%s, after all faults: %s %s" % (self.name, verdict, said)]
-        return ["%s: LITTER after the next run: %s" % (self.name, name) for name in self.litter()]
+        return self.left_over("after the next run")
+
+    def left_over(self, when):
+        return ["%s: LITTER %s: %s" % (self.name, when, name) for name in self.litter()]
 
 
 # What is wrong whatever the fault was.
-BAD = ["HUNG", "WRONG", "SPOILT"]
+BAD = ["HUNG", "LATE", "WRONG", "SPOILT"]
+USUAL = ["right", "refused", "ended by the signal"]
 
 
 def make_cases(folder, names=None):
@@ -287,7 +295,7 @@ def make_cases(folder, names=None):
             if names is None or name in names]
 
 
-def rounds(cases, kinds, count, rng, most=None):
+def rounds(cases, kinds, count, rng):
     """`count` triples (case, kind, number of the call), every case and kind in turn, no call twice."""
     pairs = [(case, kind) for case in cases for kind in kinds if case.calls[kind] > 0]
     taken = set()
@@ -305,21 +313,25 @@ def rounds(cases, kinds, count, rng, most=None):
 
 
 class Tally:
-    """Verdicts of many runs."""
+    """Verdicts of many runs, each of which may take `patience` seconds."""
 
-    def __init__(self):
+    def __init__(self, patience=PATIENCE):
+        self.patience = patience
         self.verdicts = collections.Counter()
         self.slowest = 0.0
         self.findings = []
         self.notes = []
 
     def add(self, case, fault, verdict, said, seconds):
+        if seconds > self.patience and verdict != "HUNG":
+            verdict = "LATE"
         self.verdicts[verdict] += 1
         self.slowest = max(self.slowest, seconds)
-        line = "%s, %s: %s %s" % (case.name, fault, verdict, " | ".join(said.split("\n"))[:300])
+        line = "%s, %s: %s in %.2f s %s" % (
+            case.name, fault, verdict, seconds, " | ".join(said.split("\n"))[:300])
         if verdict in BAD:
             self.findings.append(line)
-        elif verdict not in ["right", "refused"]:
+        elif verdict not in USUAL:
             self.notes.append(line)
 
     def __str__(self):
@@ -328,8 +340,9 @@ class Tally:
             sum(self.verdicts.values()), counts or "none", self.slowest)
 
 
-def run_all(plan, tally):
-    """Runs (case, fault) pairs; a case's one after the other, cases side by side."""
+def run_all(plan, tally, clean=False):
+    """Runs (case, fault) pairs; a case's one after the other, cases side by side. `clean`: nothing may be left
+    even before the next run."""
     by_case = collections.defaultdict(list)
     for case, fault in plan:
         by_case[case].append(fault)
@@ -337,7 +350,8 @@ def run_all(plan, tally):
     def run_case(case):
         case.clear()
         results = [(fault, case.run(fault)) for fault in by_case[case]]
-        return case, results, case.sweep()
+        left = case.left_over("before the next run") if clean else []
+        return case, results, left + case.sweep()
 
     with concurrent.futures.ThreadPoolExecutor(JOBS) as pool:
         for case, results, left in pool.map(run_case, by_case):
