@@ -19,6 +19,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Tools"))
 
@@ -122,6 +123,7 @@ class Case:
         self.good = b""
         self.good_raster = None
         self.old = {}
+        self.learnt = None
 
     def environment(self, fault):
         values = dict(os.environ, TMPDIR=self.temporary, HOME=self.folder)
@@ -132,6 +134,9 @@ class Case:
 
     def learn(self, least=0):
         """Runs without a fault: what is right, and how many calls of every kind there are."""
+        if self.learnt == least:
+            return
+        self.learnt = least
         self.clear()
         start = time.monotonic()
         done = subprocess.run(self.command, env=self.environment(Fault(least=least)),
@@ -143,7 +148,6 @@ class Case:
         self.calls = self.counted()
         self.good = timeless(self.bytes_of(self.out)) if self.out else done.stdout
         self.good_raster = self.raster() if self.out.endswith(".tif") else None
-        return self.calls
 
     def counted(self):
         if not os.path.exists(self.counts):
@@ -369,20 +373,34 @@ def report(test, tally):
     test.assertEqual(tally.findings, [], "\n" + "\n".join(tally.findings))
 
 
+# What stands for the rest where there is no time for all: a command of every way to write.
+FEW = ["horizon-cog", "irradiance", "shade-png", "shade-exr"]
+MANY_RUNS = 100
+
+
+def sanitized(program):
+    with open(program, "rb") as file:
+        return b"__asan_init" in file.read()
+
+
 class FaultTest(Program.ToolTest):
-    """The cases in a folder of the test; the choice of faults by its seed."""
+    """The cases in a folder of the class; the choice of faults by the seed."""
+
+    @classmethod
+    def setUpClass(cls):
+        if not LIBRARY:
+            raise unittest.SkipTest("SKYLINE_FAIL_CALLS names no library to preload")
+        if sanitized(Program.PROGRAM):
+            raise unittest.SkipTest("a sanitizer's own allocations cannot be replaced")
+        cls.shared = tempfile.mkdtemp(prefix="skyline-faults-")
+        cls.addClassCleanup(shutil.rmtree, cls.shared, ignore_errors=True)
+        cls.all_cases = make_cases(cls.shared, FEW if RUNS < MANY_RUNS else None)
 
     def setUp(self):
         super().setUp()
-        if not LIBRARY:
-            self.skipTest("SKYLINE_FAIL_CALLS names no library to preload")
-        with open(Program.PROGRAM, "rb") as program:
-            if b"__asan_init" in program.read():
-                self.skipTest("a sanitizer has its own allocations and cannot be preloaded before")
         self.rng = random.Random(SEED)
 
-    def cases(self, names=None, least=0):
-        cases = make_cases(self.folder, names)
-        for case in cases:
+    def cases(self, least=0):
+        for case in self.all_cases:
             case.learn(least)
-        return cases
+        return self.all_cases

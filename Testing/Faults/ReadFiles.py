@@ -5,6 +5,8 @@ import re
 import resource
 import subprocess
 
+from Faults import LIBRARY, sanitized
+
 PROGRAM = os.environ.get("SKYLINE_READ_FILES", "")
 
 # Seconds for one file; the slowest that is refused takes less than 2 without sanitizers.
@@ -21,11 +23,6 @@ SANITIZER = {
 OUT_OF_MEMORY = re.compile("allocation-size-too-big|out-of-memory|hard rss limit exhausted")
 
 
-def sanitized():
-    with open(PROGRAM, "rb") as program:
-        return b"__asan_init" in program.read()
-
-
 class Verdict:
     """What became of a file: "read", "refused", "wrong", "too large" or "crashed", and why."""
 
@@ -39,7 +36,7 @@ class Verdict:
 
 def limit():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    if not sanitized():
+    if not sanitized(PROGRAM):
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY << 20, MEMORY << 20))
 
 
@@ -57,6 +54,8 @@ def read_files(files, log=""):
     """The verdicts of (kind, path) pairs, in their order; kind is "raster" or "light". The places that a file
     wanted to reach are in the file `log`."""
     environment = dict(os.environ, SKYLINE_CALL_LOG=log, **SANITIZER)
+    if LIBRARY and log and not sanitized(PROGRAM):
+        environment["LD_PRELOAD"] = LIBRARY  # for the files that are opened to be in the log too
     verdicts = []
     while len(verdicts) < len(files):
         rest = files[len(verdicts):]

@@ -2,11 +2,12 @@
 """Files and names that want more than heights are refused, or read without what is hostile: no connection, no
 file of elsewhere, no code, no hang, no memory of the whole machine."""
 import os
+import random
 import subprocess
 import threading
 import time
 
-import Faults
+from Faults import LIBRARY, MANY_RUNS, RUNS, SEED, sanitized
 import Program
 import ReadFiles
 from HostileFiles import LIGHTS, NAMES, RASTERS, REFUSED, SAFE
@@ -19,11 +20,6 @@ PATIENCE = 60.0
 MOST_MEGABYTES = 1024
 
 SECRET = b"these 256 bytes are nobody's heights. " * 7
-
-
-def sanitized():
-    with open(Program.PROGRAM, "rb") as program:
-        return b"__asan_init" in program.read()
 
 
 class Ended:
@@ -43,6 +39,10 @@ class HostileFiles(Program.ToolTest):
         self.log = self.path("calls")
         self.reset()
 
+    def some(self, table):
+        """The whole table, or what there is time for; the reader alone gets all of it in any case."""
+        return table if RUNS >= MANY_RUNS else random.Random(SEED).sample(table, min(RUNS, len(table)))
+
     def reset(self):
         """A folder with one good raster; nothing logged."""
         subprocess.run(["rm", "-rf", self.open, self.log], check=True)
@@ -53,8 +53,11 @@ class HostileFiles(Program.ToolTest):
     def attempt(self, *arguments):
         """Runs the program where the hostile file lies, every call logged."""
         environment = dict(os.environ, SKYLINE_CALL_LOG=self.log, HOME=self.folder)
-        if not sanitized() and Faults.LIBRARY:
-            environment["LD_PRELOAD"] = Faults.LIBRARY
+        for name in list(environment):
+            if name.lower().endswith("_proxy"):
+                del environment[name]  # for the log to tell the places themselves
+        if LIBRARY and not sanitized(Program.PROGRAM):
+            environment["LD_PRELOAD"] = LIBRARY
         start = time.monotonic()
         running = subprocess.Popen([Program.PROGRAM, *arguments], stdin=subprocess.DEVNULL,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
@@ -75,15 +78,15 @@ class HostileFiles(Program.ToolTest):
         with open(self.log, errors="replace") as file:
             for line in map(str.strip, file):
                 self.assertTrue(line.startswith("open "), "reached for the network: " + line)
-                for private in ["/private/", "/etc/passwd", "/dev/zero"]:
-                    self.assertNotIn(private, line)
+                path = os.path.join(self.open, line[len("open "):])
+                self.assertNotRegex(os.path.realpath(path), "^/etc/passwd$|^/dev/zero$|/private/")
 
     def check(self, expected, ended, out, good):
         self.assertLess(ended.seconds, PATIENCE, "hung")
         self.check_calls()
         self.assertFalse(os.path.exists(os.path.join(self.open, "was-here")), "ran code of a file")
         self.assertFalse(os.path.exists(os.path.join(self.open, "gdalwmscache")), "made a cache")
-        if not sanitized():
+        if not sanitized(Program.PROGRAM):
             self.assertLess(ended.megabytes, MOST_MEGABYTES, ended.said)
         if expected == SAFE and ended.code == 0:
             self.assertTrue(np.array_equal(read(out), good, equal_nan=True), "wrong heights")
@@ -96,7 +99,7 @@ class HostileFiles(Program.ToolTest):
         good = os.path.join(self.folder, "good.tif")
         self.attempt("horizon", "heights.tif", "-o", good, "--azimuths", "4")
         good = read(good)
-        for what, expected, write in RASTERS:
+        for what, expected, write in self.some(RASTERS):
             with self.subTest(what):
                 self.reset()
                 out = os.path.join(self.open, "out.tif")
@@ -104,7 +107,7 @@ class HostileFiles(Program.ToolTest):
                 self.check(expected, ended, out, good)
 
     def test_names(self):
-        for name in NAMES:
+        for name in self.some(NAMES):
             with self.subTest(name):
                 self.reset()
                 out = os.path.join(self.open, "out.tif")
@@ -112,7 +115,7 @@ class HostileFiles(Program.ToolTest):
                            None)
 
     def test_light_maps(self):
-        for what, expected, write in LIGHTS:
+        for what, expected, write in self.some(LIGHTS):
             with self.subTest(what):
                 self.reset()
                 out = os.path.join(self.open, "out.tif")
@@ -121,10 +124,10 @@ class HostileFiles(Program.ToolTest):
                 self.check(expected, ended, out, None)
 
     def test_in_one_process(self):
-        """The same by the reader alone, which the sanitizers watch."""
+        """The same by the readers alone, which the sanitizers watch."""
         if not ReadFiles.PROGRAM:
             self.skipTest("SKYLINE_READ_FILES names no program")
-        files = []
+        files = [("raster", name) for name in NAMES if "\n" not in name]
         for kind, table in [("raster", RASTERS), ("light", LIGHTS)]:
             for what, expected, write in table:
                 if "pipe" in what or expected == SAFE:

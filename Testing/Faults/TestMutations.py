@@ -11,10 +11,9 @@ import shutil
 import subprocess
 import sys
 
-import Faults
+from Faults import RUNS, SEED, sanitized
 import Program
 import ReadFiles
-from Faults import RUNS, SEED
 from Mutator import mutate
 from Program import UTM10, gdal, hills, make
 
@@ -159,7 +158,7 @@ class Mutations(Program.ToolTest):
                 words[seed.format, verdict.word] += 1
                 slowest = max(slowest, verdict.seconds)
                 largest = max(largest, verdict.megabytes)
-                large = verdict.word == "too large" and not ReadFiles.sanitized()
+                large = verdict.word == "too large" and not sanitized(ReadFiles.PROGRAM)
                 if verdict.word in ["wrong", "crashed"] or large:
                     findings.append("%s, seed %d, number %d, %s: %s" % (
                         seed.format, SEED, number, os.path.basename(path), verdict))
