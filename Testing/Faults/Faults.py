@@ -14,6 +14,7 @@ import os
 import random
 import re
 import resource
+import shutil
 import struct
 import subprocess
 import sys
@@ -324,7 +325,6 @@ class Tally:
         self.verdicts = collections.Counter()
         self.slowest = 0.0
         self.findings = []
-        self.notes = []
 
     def add(self, case, fault, verdict, said, seconds):
         if seconds > self.patience and verdict != "HUNG":
@@ -335,8 +335,8 @@ class Tally:
             case.name, fault, verdict, seconds, " | ".join(said.split("\n"))[:300])
         if verdict in BAD:
             self.findings.append(line)
-        elif verdict not in USUAL:
-            self.notes.append(line)
+        if verdict not in USUAL:
+            print(line, flush=True)  # at once: there may be hundreds of runs to come
 
     def __str__(self):
         counts = ", ".join("%d %s" % (n, verdict) for verdict, n in self.verdicts.most_common())
@@ -353,23 +353,18 @@ def run_all(plan, tally, clean=False):
 
     def run_case(case):
         case.clear()
-        results = [(fault, case.run(fault)) for fault in by_case[case]]
+        for fault in by_case[case]:
+            tally.add(case, fault, *case.run(fault))
         left = case.left_over("before the next run") if clean else []
-        return case, results, left + case.sweep()
+        tally.findings += left + case.sweep()
 
     with concurrent.futures.ThreadPoolExecutor(JOBS) as pool:
-        for case, results, left in pool.map(run_case, by_case):
-            for fault, (verdict, said, seconds) in results:
-                tally.add(case, fault, verdict, said, seconds)
-            tally.findings += left
+        list(pool.map(run_case, by_case))
 
 
 def report(test, tally):
-    """Prints the counts and what was unusual; fails with what was wrong."""
-    print("\n" + test.id().split(".", 1)[-1] + ":", tally)
-    for note in tally.notes:
-        print("  note:", note)
-    sys.stdout.flush()
+    """Prints the counts; fails with what was wrong."""
+    print("\n" + test.id().split(".", 1)[-1] + ":", tally, flush=True)
     test.assertEqual(tally.findings, [], "\n" + "\n".join(tally.findings))
 
 
