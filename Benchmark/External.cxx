@@ -12,7 +12,9 @@
 #include <stdexcept>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -85,20 +87,68 @@ Cost RunProgram(std::vector<std::string> words)
     1024.0 * static_cast<double>(usage.ru_maxrss) };
 }
 
+namespace
+{
+
+constexpr const char* ScratchName = "skyline-scratch-";
+
+// A descriptor of the folder that holds its lock; -1 where another process has it.
+int LockFolder(const std::string& folder)
+{
+  const int file = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (file >= 0 && flock(file, LOCK_EX | LOCK_NB) != 0)
+  {
+    close(file);
+    return -1;
+  }
+  return file;
+}
+
+// Removes the folders of runs that were killed: nobody locks them any more.
+void SweepScratchFolders()
+{
+  std::error_code ignored;
+  for (const fs::directory_entry& entry :
+    fs::directory_iterator(fs::temp_directory_path(ignored), ignored))
+  {
+    struct stat status;
+    const std::string name = entry.path().string();
+    const bool ours = entry.path().filename().string().rfind(ScratchName, 0) == 0 &&
+      lstat(name.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == geteuid();
+    const int lock = ours ? LockFolder(name) : -1;
+    if (lock >= 0)
+    {
+      fs::remove_all(name, ignored);
+      close(lock);
+    }
+  }
+}
+
+} // namespace
+
 ScratchFolder::ScratchFolder()
 {
-  std::string name = (fs::temp_directory_path() / "skyline-benchmark-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr)
+  SweepScratchFolders();
+  while (!fs::exists(this->Folder)) // it may be swept before it is locked
   {
-    throw std::runtime_error("no temporary folder " + name);
+    std::string name = (fs::temp_directory_path() / (std::string(ScratchName) + "XXXXXX")).string();
+    if (mkdtemp(name.data()) == nullptr)
+    {
+      throw std::runtime_error("no temporary folder " + name);
+    }
+    this->Folder = name;
+    this->Lock = LockFolder(name);
   }
-  this->Folder = name;
 }
 
 ScratchFolder::~ScratchFolder()
 {
   std::error_code ignored;
   fs::remove_all(this->Folder, ignored);
+  if (this->Lock >= 0)
+  {
+    close(this->Lock);
+  }
 }
 
 void WriteSagaGrid(const oracle::OracleField& field, const std::string& name)

@@ -36,7 +36,8 @@ inline double FloatsPerPost(const Cost& cost, const oracle::OracleField& field)
   return cost.Bytes / sizeof(float) / static_cast<double>(field.Heights.size());
 }
 
-/// A temporary folder (in TMPDIR), which goes with everything in it.
+/// A temporary folder (in TMPDIR), which goes with everything in it. It is locked as long as it is used:
+/// those of killed runs, which nobody locks, go when the next one is made.
 class ScratchFolder
 {
 public:
@@ -50,6 +51,7 @@ public:
 
 private:
   std::filesystem::path Folder;
+  int Lock = -1;
 };
 
 constexpr float NoHeight = -99999.0f; ///< in files, of missing posts

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <limits>
 #include <string>
+#include <system_error>
 #include <thread>
 
 #include <malloc.h>
@@ -130,9 +131,16 @@ void ForAll(
     }
   };
   std::vector<std::thread> others;
-  for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k)
+  try
   {
-    others.emplace_back(run);
+    for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k)
+    {
+      others.emplace_back(run);
+    }
+  }
+  catch (const std::system_error&)
+  {
+    // No more threads: those there are do the work.
   }
   run();
   for (std::thread& other : others)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HorizonScene.h"
 
+#include "BaseHeight.h"
+#include "HeightLimits.h"
 #include "HeightPyramid.h"
 #include "MemoryDemand.h"
 #include "Normals.h"
@@ -55,6 +57,12 @@ std::uint64_t Mixed(std::uint64_t sum, std::uint64_t value)
   return product ^ (product >> 32);
 }
 
+// A height, or NaN where a number is none.
+double Known(double height)
+{
+  return std::abs(height) <= GreatestHeight ? height : std::numeric_limits<double>::quiet_NaN();
+}
+
 // Calls f(height) with a height(column, row) that reads the array in its own type.
 template <typename Function>
 void WithHeights(vtkDataArray* array, std::ptrdiff_t columns, Function&& function)
@@ -63,7 +71,7 @@ void WithHeights(vtkDataArray* array, std::ptrdiff_t columns, Function&& functio
   {
     const auto values = vtk::DataArrayValueRange<1>(typed);
     function([values, columns](std::ptrdiff_t column, std::ptrdiff_t row)
-      { return static_cast<double>(values[vtkIdType{ row } * columns + column]); });
+      { return Known(static_cast<double>(values[vtkIdType{ row } * columns + column])); });
   };
   if (!vtkArrayDispatch::Dispatch::Execute(array, worker))
   {
@@ -147,10 +155,11 @@ HorizonScene::HorizonScene(vtkImageData* image, vtkDataArray* heights, const Opt
   {
     throw std::invalid_argument("no surface: every post is missing");
   }
-  this->Mean = range[0] + 0.5 * (range[1] - range[0]);
   WithHeights(heights, grid.Columns,
     [&](const auto& height)
     {
+      this->Mean = BaseHeight(grid.Columns * grid.Rows, range[0], range[1],
+        [&](std::ptrdiff_t post) { return height(post % grid.Columns, post / grid.Columns); });
       vtkSMPTools::For(0, grid.Rows,
         [&](vtkIdType begin, vtkIdType end) { this->Field.Fill(begin, end, this->Mean, height); });
     });
@@ -431,6 +440,25 @@ void HorizonScene::BlankMissing(vtkFloatArray* array) const
       }
     }
   }
+}
+
+std::ptrdiff_t HorizonScene::CountNotFinite(vtkFloatArray* array) const
+{
+  const std::ptrdiff_t components = array->GetNumberOfComponents();
+  const float* post = array->GetPointer(0);
+  std::ptrdiff_t count = 0;
+  std::vector<float> buffer;
+  for (std::ptrdiff_t row = 0; row < this->Posts().Rows; ++row)
+  {
+    const float* heights = this->Field.Receivers(false, row, buffer);
+    for (std::ptrdiff_t column = 0; column < this->Posts().Columns; ++column, post += components)
+    {
+      const bool finite =
+        std::all_of(post, post + components, [](float value) { return std::isfinite(value); });
+      count += finite || heights[column] <= 0.5f * MissingHeight ? 0 : 1;
+    }
+  }
+  return count;
 }
 
 bool HorizonScene::TakesColumns(const std::vector<double>& azimuths) const

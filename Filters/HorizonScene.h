@@ -87,6 +87,9 @@ public:
   /// NaN at the missing posts of all components of an array.
   void BlankMissing(vtkFloatArray* array) const;
 
+  /// Posts with a height at which a component of an array is NaN or infinite.
+  std::ptrdiff_t CountNotFinite(vtkFloatArray* array) const;
+
   /// std::runtime_error if the machine has no memory for what a filter is about to allocate: `floats`
   /// a post, and the columns that azimuths (degrees) need. what: the subject of its sentence.
   void DemandFloats(
@@ -107,7 +110,7 @@ public:
 
   const HorizonSettings& UsedSettings() const { return this->Settings; }
   const std::vector<RowBand>& BandsOfRows() const { return this->Bands; } ///< one spacing each
-  double MeanHeight() const { return this->Mean; } ///< metres, halfway between lowest and highest
+  double MeanHeight() const { return this->Mean; }                        ///< metres: BaseHeight.h
 
   double PrepareSeconds = 0.0, SearchSeconds = 0.0; ///< of all runs
   int PyramidBuilds = 0;

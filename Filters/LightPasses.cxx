@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightPasses.h"
 
+#include "Eclipse.h"
 #include "HorizonScene.h"
 #include "LampIrradiance.h"
 #include "SunAccumulator.h"
@@ -58,8 +59,9 @@ double PartAbove(double height)
   return 0.5 + (std::asin(x) + x * std::sqrt((1.0 - x) * (1.0 + x))) / Pi;
 }
 
-/// Adds the light of a disc whose lit part is known to every post; directions(row, x, y, z) writes
-/// unit vectors to its centre for a row of posts.
+/// Adds the light of a disc whose lit part is known to every post; directions(row, x, y, z, left)
+/// writes unit vectors to its centre for a row of posts, and the share of its light that shines, where
+/// that is not 1.
 template <typename Directions>
 void AddLitDisc(const Grid& grid, const LitPosts& posts, const float* lit, double radius,
   const std::array<double, 3>& irradiance, const Directions& directions)
@@ -69,13 +71,14 @@ void AddLitDisc(const Grid& grid, const LitPosts& posts, const float* lit, doubl
   vtkSMPTools::For(0, grid.Rows,
     [&](vtkIdType begin, vtkIdType end)
     {
-      std::vector<float> vectors(static_cast<std::size_t>(3 * grid.Columns));
+      std::vector<float> vectors(static_cast<std::size_t>(4 * grid.Columns), 1.0f);
       float* x = vectors.data();
       float* y = x + grid.Columns;
       float* z = y + grid.Columns;
+      float* left = z + grid.Columns;
       for (vtkIdType row = begin; row < end; ++row)
       {
-        directions(row, x, y, z);
+        directions(row, x, y, z, left);
         for (std::ptrdiff_t column = 0; column < grid.Columns; ++column)
         {
           const std::ptrdiff_t post = row * grid.Columns + column;
@@ -90,11 +93,11 @@ void AddLitDisc(const Grid& grid, const LitPosts& posts, const float* lit, doubl
             // mostly are the same ground, so only a shadow beyond the plane's own counts.
             const double above = PartAbove(cosine / disc.Sine);
             const double part = above > 0.0 ? std::min(1.0, lit[post] / above) : 0.0;
-            light = part * DiscIrradiance(disc, cosine) / facing;
+            light = left[column] * part * DiscIrradiance(disc, cosine) / facing;
           }
           else
           {
-            light = lit[post] * std::max(0.0, cosine);
+            light = left[column] * lit[post] * std::max(0.0, cosine);
           }
           for (std::size_t c = 0; c < 3; ++c)
           {
@@ -118,7 +121,7 @@ SkyDisc DiscOf(vtkSkylineSunLight* light)
   Check(radius >= 0.0 && radius <= LargestSun * DegreesPerRadian, "sun", "angular radius", radius,
     "0 to 3 degrees; larger discs are key lights");
   CheckColor("sun", light->GetIrradiance());
-  disc.Azimuth = light->GetAzimuth() * RadiansPerDegree;
+  disc.Azimuth = std::fmod(light->GetAzimuth(), 360.0) * RadiansPerDegree;
   disc.Elevation = light->GetElevation() * RadiansPerDegree;
   disc.Radius = radius * RadiansPerDegree;
   std::copy_n(light->GetIrradiance(), 3, disc.Irradiance.begin());
@@ -136,6 +139,19 @@ SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonScene& scene)
     disc.Azimuth = middle.Azimuth * RadiansPerDegree;
     disc.Elevation = middle.Elevation * RadiansPerDegree;
     disc.Radius = light->GetTrueRadius() ? middle.Radius * RadiansPerDegree : disc.Radius;
+    const EclipseField eclipse(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight());
+    if (eclipse.Any())
+    {
+      const double covered =
+        eclipse
+          .At(0.5 * static_cast<double>(scene.Posts().Columns - 1),
+            0.5 * static_cast<double>(scene.Posts().Rows - 1))
+          .Obscuration(light->GetLimbDarkening() ? EddingtonLimbDarkening : 0.0);
+      for (double& channel : disc.Irradiance)
+      {
+        channel *= 1.0 - covered;
+      }
+    }
     return disc;
   }
   return InMiddle(disc, scene);
@@ -165,7 +181,7 @@ SkyDisc DiscOf(vtkSkylineKeyLight* light)
   Check(radius > 0.0 && radius < 90.0, "key light", "angular radius", radius,
     "above 0 to below 90 degrees");
   CheckColor("key light", light->GetRadiance());
-  disc.Azimuth = light->GetAzimuth() * RadiansPerDegree;
+  disc.Azimuth = std::fmod(light->GetAzimuth(), 360.0) * RadiansPerDegree;
   disc.Elevation = light->GetElevation() * RadiansPerDegree;
   disc.Radius = radius * RadiansPerDegree;
   const double reach = std::sin(disc.Radius);
@@ -232,7 +248,7 @@ bool AddDisc(HorizonScene& scene, HorizonCache& cache, const SkyDisc& disc, cons
     disc.Elevation * DegreesPerRadian, disc.Radius * DegreesPerRadian);
   if (!field.Same())
   {
-    return AddSun(scene, cache, field, disc, 0.0, posts);
+    return AddSun(scene, cache, field, EclipseField(), disc, 0.0, posts);
   }
   const Grid& grid = scene.Posts();
   std::vector<double> azimuths =
@@ -253,7 +269,7 @@ bool AddDisc(HorizonScene& scene, HorizonCache& cache, const SkyDisc& disc, cons
   const auto toY = static_cast<float>(cosine * std::cos(disc.Azimuth));
   const auto toZ = static_cast<float>(std::sin(disc.Elevation));
   AddLitDisc(grid, posts, lit.get(), disc.Radius, disc.Irradiance,
-    [&](std::ptrdiff_t, float* x, float* y, float* z)
+    [&](std::ptrdiff_t, float* x, float* y, float* z, float*)
     {
       std::fill_n(x, grid.Columns, toX);
       std::fill_n(y, grid.Columns, toY);
@@ -269,17 +285,20 @@ bool AddSun(
   const double darkening = light->GetLimbDarkening() ? EddingtonLimbDarkening : 0.0;
   const SunField sun = light->GetUseTime()
     ? SunField(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight())
-    : SunField::OnImage(
-        scene.Place(), light->GetAzimuth(), light->GetElevation(), light->GetAngularRadius());
+    : SunField::OnImage(scene.Place(), std::fmod(light->GetAzimuth(), 360.0), light->GetElevation(),
+        light->GetAngularRadius());
+  const EclipseField eclipse = light->GetUseTime()
+    ? EclipseField(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight())
+    : EclipseField();
   if (light->GetUseTime() && light->GetTrueRadius())
   {
     disc.Radius = sun.Radius() * RadiansPerDegree;
   }
-  return AddSun(scene, cache, sun, disc, darkening, posts);
+  return AddSun(scene, cache, sun, eclipse, disc, darkening, posts);
 }
 
-bool AddSun(HorizonScene& scene, HorizonCache& cache, const SunField& sun, const SkyDisc& disc,
-  double darkening, const LitPosts& posts)
+bool AddSun(HorizonScene& scene, HorizonCache& cache, const SunField& sun,
+  const EclipseField& eclipse, const SkyDisc& disc, double darkening, const LitPosts& posts)
 {
   double first = 0.0, last = 0.0, least = 0.0, greatest = 0.0;
   sun.AzimuthBounds(first, last);
@@ -308,8 +327,14 @@ bool AddSun(HorizonScene& scene, HorizonCache& cache, const SunField& sun, const
   if (finished)
   {
     AddLitDisc(grid, posts, lit.get(), disc.Radius, disc.Irradiance,
-      [&](std::ptrdiff_t number, float* x, float* y, float* z)
-      { sun.Row(number, 0, grid.Columns, x, y, z); });
+      [&](std::ptrdiff_t number, float* x, float* y, float* z, float* left)
+      {
+        sun.Row(number, 0, grid.Columns, x, y, z);
+        if (eclipse.Any())
+        {
+          eclipse.Uncovered(number, 0, grid.Columns, darkening, left);
+        }
+      });
   }
   return finished;
 }

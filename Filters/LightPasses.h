@@ -18,6 +18,7 @@ namespace skyline
 {
 
 class HorizonScene;
+class EclipseField;
 class SunField;
 
 /// What a pass reads and writes: gradients and irradiance (three floats) of every post, row by row.
@@ -39,7 +40,8 @@ struct SkyDisc
 SkyDisc DiscOf(vtkSkylineSunLight* light);
 SkyDisc DiscOf(vtkSkylineKeyLight* light);
 
-/// The same, with UseTime as the sun stands over the middle of the scene.
+/// The same, with UseTime as the sun stands over the middle of the scene; in an eclipse with the light
+/// that the Moon leaves there.
 SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonScene& scene);
 
 /// A disc with an azimuth on the image as it stands over the middle of the scene.
@@ -58,8 +60,8 @@ bool AddSun(
 bool AddDisc(HorizonScene& scene, HorizonCache& cache, const SkyDisc& disc, const LitPosts& posts);
 
 /// A sun whose direction may differ from post to post; radius and irradiance are the disc's.
-bool AddSun(HorizonScene& scene, HorizonCache& cache, const SunField& sun, const SkyDisc& disc,
-  double darkening, const LitPosts& posts);
+bool AddSun(HorizonScene& scene, HorizonCache& cache, const SunField& sun,
+  const EclipseField& eclipse, const SkyDisc& disc, double darkening, const LitPosts& posts);
 
 /// Where an image puts its posts: metres of the south-west one, and between posts.
 struct ImageFrame

@@ -13,6 +13,15 @@
 #include "vtkVersionMacros.h"
 
 #include <exception>
+#include <new>
+
+namespace
+{
+
+// Near hot ground k was measured down to about -5. Far below -100 all terrain would sink away.
+constexpr double LeastRefraction = -100.0;
+
+} // namespace
 
 vtkHeightFieldAlgorithm::vtkHeightFieldAlgorithm()
   : RefractionCoefficient(skyline::TerrestrialRefraction)
@@ -71,10 +80,10 @@ int vtkHeightFieldAlgorithm::RequestData(
       throw std::invalid_argument("the heights have " +
         std::to_string(heights->GetNumberOfComponents()) + " components; give one a post");
     }
-    if (!(this->RefractionCoefficient < 1.0))
+    if (!(this->RefractionCoefficient >= LeastRefraction && this->RefractionCoefficient < 1.0))
     {
       throw std::invalid_argument("the refraction coefficient is " +
-        std::to_string(this->RefractionCoefficient) + "; give one below 1, 0.13 in usual air");
+        std::to_string(this->RefractionCoefficient) + "; give -100 to below 1, 0.13 in usual air");
     }
     skyline::HorizonScene::Options options;
     options.Settings.Method = static_cast<skyline::HorizonMethodKind>(this->Method);
@@ -114,6 +123,15 @@ int vtkHeightFieldAlgorithm::RequestData(
     }
     skyline::KeepPiece(out->GetInformationObject(0));
     return 1;
+  }
+  catch (const std::bad_alloc&)
+  {
+    const int* posts = input->GetDimensions();
+    output->Initialize();
+    vtkErrorMacro(<< "not enough memory for " << posts[0] << " x " << posts[1]
+                  << " posts (std::bad_alloc); ask for less at a time, cut the raster "
+                     "(gdal_translate -srcwin) or make it coarser (-tr)");
+    return 0;
   }
   catch (const std::exception& reason)
   {

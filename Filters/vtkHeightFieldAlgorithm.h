@@ -74,13 +74,14 @@ public:
 
   ///@{
   /// Terrestrial refraction k: a post at distance d sinks by (1 - k) d^2 / 2R. Counts on the Earth
-  /// alone; default 0.13, any value below 1.
+  /// alone; default 0.13, -100 to below 1.
   vtkSetMacro(RefractionCoefficient, double);
   vtkGetMacro(RefractionCoefficient, double);
   ///@}
 
   ///@{
-  /// Degrees by which EXACT may fall short of the horizon, for speed; default 0, 0 to 90.
+  /// Degrees by which EXACT may fall short of the horizon, for speed; default 0, 0 to 90. What is found
+  /// within the tolerance (FAST: 0.25) depends on the processor's instruction set; with 0 it does not.
   vtkSetClampMacro(Tolerance, double, 0.0, 90.0);
   vtkGetMacro(Tolerance, double);
   ///@}

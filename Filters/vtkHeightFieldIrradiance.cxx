@@ -5,6 +5,7 @@
 #include "HarmonicBands.h"
 #include "HarmonicLight.h"
 #include "HorizonScene.h"
+#include "LampReach.h"
 #include "LightAzimuths.h"
 #include "LightPasses.h"
 #include "VisibilityAccumulator.h"
@@ -12,6 +13,7 @@
 #include "vtkSkylineKeyLight.h"
 #include "vtkSkylineLampLight.h"
 #include "vtkSkylineSunLight.h"
+#include "vtkSkylineWarning.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -26,6 +28,7 @@
 #include <cstdint>
 #include <deque>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeightFieldIrradiance);
@@ -243,6 +246,12 @@ bool vtkHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageDat
   {
     return false;
   }
+  const std::ptrdiff_t beyond = scene.CountNotFinite(irradiance);
+  if (beyond > 0)
+  {
+    throw std::runtime_error("the light on " + std::to_string(beyond) +
+      " posts is more than a float holds (3.4e38); give dimmer lights");
+  }
   scene.BlankMissing(irradiance);
   return true;
 }
@@ -371,9 +380,19 @@ bool vtkHeightFieldIrradiance::AddLamps(skyline::HorizonScene& scene, const Sort
   const double* origin = image->GetOrigin();
   const double* spacing = image->GetSpacing();
   const skyline::ImageFrame frame{ { { origin[0], origin[1] } }, { { spacing[0], spacing[1] } } };
+  double bounds[6];
+  image->GetBounds(bounds);
+  int number = 0;
   for (vtkSkylineLampLight* lamp : lights.Lamps)
   {
     ++this->LampPasses;
+    const double* place = lamp->GetPosition();
+    const auto doubt = skyline::FarLamp(++number, { place[0], place[1], lamp->GetRadius() },
+      { { bounds[0], bounds[1], bounds[2], bounds[3] } });
+    if (doubt)
+    {
+      skyline::Warn(this, *doubt);
+    }
     if (!skyline::AddLamp(scene, frame, lamp, posts))
     {
       return false;

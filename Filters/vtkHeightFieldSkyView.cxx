@@ -2,16 +2,70 @@
 #include "vtkHeightFieldSkyView.h"
 
 #include "Azimuths.h"
+#include "EdgeTrustAccumulator.h"
 #include "HorizonScene.h"
 #include "SkyAccumulator.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeightFieldSkyView);
+
+namespace
+{
+
+// Automatic distances in which the horizon must be known: metres, and of the field's shorter side.
+constexpr double UsualEdgeDistance = 1000.0;
+constexpr double LargestEdgeShare = 0.1;
+
+// Feeds two consumers.
+class Both : public skyline::Accumulator
+{
+public:
+  Both(skyline::Accumulator& one, skyline::Accumulator* other)
+    : One(one)
+    , Other(other)
+  {
+  }
+  void Begin(double azimuth, double width) override
+  {
+    this->One.Begin(azimuth, width);
+    if (this->Other)
+    {
+      this->Other->Begin(azimuth, width);
+    }
+  }
+  void Add(
+    std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count, const float* slopes) override
+  {
+    this->One.Add(row, column, count, slopes);
+    if (this->Other)
+    {
+      this->Other->Add(row, column, count, slopes);
+    }
+  }
+  void Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd) override
+  {
+    this->One.Finish(rowBegin, rowEnd);
+    if (this->Other)
+    {
+      this->Other->Finish(rowBegin, rowEnd);
+    }
+  }
+
+private:
+  skyline::Accumulator& One;
+  skyline::Accumulator* Other; // may be null
+};
+
+} // namespace
 
 void vtkHeightFieldSkyView::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -20,14 +74,33 @@ void vtkHeightFieldSkyView::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "SkyViewFactor: " << this->SkyViewFactor << "\n"
      << indent << "SkyViewFactorHorizontal: " << this->SkyViewFactorHorizontal << "\n"
      << indent << "VisibleSkyFraction: " << this->VisibleSkyFraction << "\n"
-     << indent << "PositiveOpenness: " << this->PositiveOpenness << "\n";
+     << indent << "PositiveOpenness: " << this->PositiveOpenness << "\n"
+     << indent << "EdgeTrust: " << this->EdgeTrust << "\n"
+     << indent << "AutoEdgeDistance: " << this->AutoEdgeDistance << "\n"
+     << indent << "EdgeDistance: " << this->EdgeDistance << "\n";
+}
+
+double vtkHeightFieldSkyView::UsedEdgeDistance(const skyline::Grid& posts) const
+{
+  if (this->AutoEdgeDistance)
+  {
+    const double width = posts.SpacingX * static_cast<double>(posts.Columns - 1);
+    const double height = posts.SpacingY * static_cast<double>(posts.Rows - 1);
+    return std::min(UsualEdgeDistance, LargestEdgeShare * std::min(width, height));
+  }
+  if (!(this->EdgeDistance >= 0.0 && std::isfinite(this->EdgeDistance)))
+  {
+    throw std::out_of_range("the edge distance is " + std::to_string(this->EdgeDistance) +
+      "; give metres, 0 or more, or let it be found by AutoEdgeDistance");
+  }
+  return this->EdgeDistance;
 }
 
 bool vtkHeightFieldSkyView::Compute(skyline::HorizonScene& scene, vtkImageData* output)
 {
   const std::vector<double> azimuths = skyline::EvenAzimuths(this->NumberOfAzimuths);
   const int quantities = this->SkyViewFactor + this->SkyViewFactorHorizontal +
-    this->VisibleSkyFraction + this->PositiveOpenness;
+    this->VisibleSkyFraction + this->PositiveOpenness + 2 * this->EdgeTrust;
   scene.DemandFloats("views of the sky", quantities + (this->SkyViewFactor ? 2 : 0), azimuths);
   std::vector<vtkFloatArray*> arrays;
   const auto buffer = [&](bool wanted, const char* name)
@@ -45,6 +118,7 @@ bool vtkHeightFieldSkyView::Compute(skyline::HorizonScene& scene, vtkImageData* 
     buffer(this->SkyViewFactorHorizontal, "SkyViewFactorHorizontal");
   buffers.VisibleSkyFraction = buffer(this->VisibleSkyFraction, "VisibleSkyFraction");
   buffers.PositiveOpenness = buffer(this->PositiveOpenness, "PositiveOpenness");
+  const skyline::PostBuffer trust = buffer(this->EdgeTrust, "EdgeTrust");
   if (arrays.empty())
   {
     throw std::invalid_argument("no quantity is switched on; switch on SkyViewFactor or another");
@@ -61,7 +135,19 @@ bool vtkHeightFieldSkyView::Compute(skyline::HorizonScene& scene, vtkImageData* 
     scene.FillGradients(gradients.get(), north);
   }
   skyline::SkyAccumulator sky(scene.Posts().Columns, buffers, gradients.get(), north);
-  if (!scene.Run(azimuths, 2.0 * skyline::Pi / this->NumberOfAzimuths, sky))
+  std::unique_ptr<skyline::EdgeTrustAccumulator> edges;
+  if (this->EdgeTrust)
+  {
+    const std::vector<double>& across = scene.Place().RowSpacingX;
+    const std::vector<double>& along = scene.Place().RowSpacingY;
+    const bool byRow = static_cast<std::ptrdiff_t>(across.size()) == scene.Posts().Rows &&
+      across.size() == along.size();
+    edges = std::make_unique<skyline::EdgeTrustAccumulator>(scene.PreparedField(),
+      this->UsedEdgeDistance(scene.Posts()), trust, byRow ? across.data() : nullptr,
+      byRow ? along.data() : nullptr);
+  }
+  Both consumers(sky, edges.get());
+  if (!scene.Run(azimuths, 2.0 * skyline::Pi / this->NumberOfAzimuths, consumers))
   {
     return false;
   }

@@ -1,17 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldSunShadow.h"
 
+#include "Eclipse.h"
 #include "HorizonScene.h"
 #include "SunAccumulator.h"
 #include "SunField.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
+#include "vtkSMPTools.h"
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkHeightFieldSunShadow);
+
+namespace
+{
+
+void TakeEclipse(const skyline::EclipseField& eclipse, const skyline::Grid& posts,
+  double limbDarkening, float* visibility)
+{
+  vtkSMPTools::For(0, posts.Rows,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<float> left(static_cast<std::size_t>(posts.Columns));
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        eclipse.Uncovered(row, 0, posts.Columns, limbDarkening, left.data());
+        float* lit = visibility + row * posts.Columns;
+        std::transform(left.begin(), left.end(), lit, lit, std::multiplies<>());
+      }
+    });
+}
+
+} // namespace
 
 void vtkHeightFieldSunShadow::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -31,8 +58,11 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
   constexpr double radians = skyline::RadiansPerDegree;
   const skyline::SunField sun = this->UseTime
     ? skyline::SunField(scene.Place(), skyline::ParseUtcTime(this->Time), scene.MeanHeight())
-    : skyline::SunField::OnImage(
-        scene.Place(), this->SunAzimuth, this->SunElevation, this->SunAngularRadius);
+    : skyline::SunField::OnImage(scene.Place(), std::fmod(this->SunAzimuth, 360.0),
+        this->SunElevation, this->SunAngularRadius);
+  const skyline::EclipseField eclipse = this->UseTime
+    ? skyline::EclipseField(scene.Place(), skyline::ParseUtcTime(this->Time), scene.MeanHeight())
+    : skyline::EclipseField();
   const double radius = this->UseTime && this->TrueRadius ? sun.Radius() : this->SunAngularRadius;
   if (!(radius >= 0.0 && radius < 90.0))
   {
@@ -70,12 +100,16 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
   }
   else
   {
-    const skyline::SunDisc disc{ this->SunAzimuth * radians, this->SunElevation * radians,
-      radius * radians };
+    const skyline::SunDisc disc{ std::fmod(this->SunAzimuth, 360.0) * radians,
+      this->SunElevation * radians, radius * radians };
     finished = run(skyline::SunAccumulator(posts.Columns, posts.Rows, disc, buffer, darkening));
   }
   if (finished)
   {
+    if (eclipse.Any())
+    {
+      TakeEclipse(eclipse, posts, darkening, visibility->GetPointer(0));
+    }
     scene.BlankMissing(visibility);
   }
   return finished;

@@ -6,6 +6,11 @@
  * Adds `SunVisibility`: the lit fraction of the sun's disc above the horizon curve across its swath,
  * 0 (full shadow) to 1. The sun is one direction for all posts, or, with UseTime, the sun of that
  * time at the place of each post (needs a georeference). Only the swath of the sun is searched.
+ *
+ * In an eclipse at that time the visibility is multiplied by the share of the sun's light that the Moon
+ * leaves at the post (skyline::EclipseField). The product is exact where the terrain leaves all of the
+ * disc or none, and in totality; where it cuts the disc of an eclipsed sun it can be off by 0.25, for
+ * the horizon may cut the bright part or the dark one.
  */
 #ifndef vtkHeightFieldSunShadow_h
 #define vtkHeightFieldSunShadow_h

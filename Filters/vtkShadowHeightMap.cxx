@@ -11,11 +11,13 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkSkylineWarning.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkShadowHeightMap);
@@ -116,8 +118,8 @@ bool vtkShadowHeightMap::AddShadow(skyline::HorizonScene& scene, vtkImageData* o
   }
   const auto method = this->MakeMethod(scene, skyline::ShadowSlope(elevation));
   ShadowStore store(scene, this->GetInputArrayToProcess(0, output), shadows, belowTerrain);
-  const bool finished =
-    scene.Run(*method, { this->SunAzimuth }, 0.0, store, skyline::AzimuthAxes::Image);
+  const bool finished = scene.Run(
+    *method, { std::fmod(this->SunAzimuth, 360.0) }, 0.0, store, skyline::AzimuthAxes::Image);
   scene.BlankMissing(shadows);
   return finished;
 }
@@ -132,11 +134,21 @@ bool vtkShadowHeightMap::Compute(skyline::HorizonScene& scene, vtkImageData* out
   {
     throw std::invalid_argument("shadow heights are those of the triangles; set that surface");
   }
-  skyline::SunField::Constant(this->SunAzimuth, this->SunElevation, this->SunAngularRadius);
-  scene.DemandFloats("shadow heights", this->Soft ? 3 : 1, { this->SunAzimuth });
+  skyline::SunField::Constant(
+    std::fmod(this->SunAzimuth, 360.0), this->SunElevation, this->SunAngularRadius);
+  scene.DemandFloats("shadow heights", this->Soft ? 3 : 1, { std::fmod(this->SunAzimuth, 360.0) });
   scene.DoubtOneMetric("shadow heights", scene.CentreMetric());
   const double elevation = this->SunElevation * skyline::RadiansPerDegree;
   const double radius = this->SunAngularRadius * skyline::RadiansPerDegree;
+  if (elevation <= 0.0)
+  {
+    std::ostringstream degrees;
+    degrees << this->SunElevation;
+    skyline::Warn(this,
+      { "the sun's centre stands at " + degrees.str() + " degrees, not above the horizontal plane",
+        "that all is in its shadow at any height: ShadowHeight is infinite, and nodata in a raster",
+        "" });
+  }
   bool finished =
     this->AddShadow(scene, output, "ShadowHeight", elevation, elevation > 0.0, this->BelowTerrain);
   if (this->Soft && finished)

@@ -14,8 +14,9 @@
  * them: the lit part of a post needs both. vtkShadowReceiver makes light of them, at any height.
  *
  * The sun counts above the horizontal plane alone, as in vtkHeightFieldSunShadow: with the centre, or
- * the limb, on the plane or under it, its shadow height is infinite; with the lower limb alone there,
- * ShadowHeightLower is that of a light in the plane. Above 89.9 degrees a sun casts its shadow as from
+ * the limb, on the plane or under it, its shadow height is plus infinity, so that every height compares
+ * as lower; rasters hold no infinities, there it becomes nodata. For the centre a warning says so. With
+ * the lower limb alone there, ShadowHeightLower is that of a light in the plane. Above 89.9 degrees a sun casts its shadow as from
  * there. The field data get `ShadowSun`: azimuth, elevation and angular radius, degrees.
  *
  * Method EXACT and FAST give the exact shadow of the triangles. SWEEP is Lee & Kim's recurrence as

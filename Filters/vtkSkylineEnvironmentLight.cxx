@@ -79,10 +79,15 @@ void vtkSkylineEnvironmentLight::FillPixels()
   }
   const double elevation = this->SunElevation * RadiansPerDegree;
   const bool perez = this->Source == PEREZ;
+  this->Pixels.resize(3 * static_cast<std::size_t>(SkyWidth) * SkyHeight);
+  if (perez && elevation <= 0.0)
+  {
+    std::fill(this->Pixels.begin(), this->Pixels.end(), 0.0f); // the sun is down
+    return;
+  }
   const SkyModel sky = perez ? PerezSky(this->DirectIrradiance, this->DiffuseIrradiance, elevation)
                              : CieSky(this->CieType);
-  this->Pixels.resize(3 * static_cast<std::size_t>(SkyWidth) * SkyHeight);
-  FillSky(sky, this->SunAzimuth * RadiansPerDegree, elevation,
+  FillSky(sky, std::fmod(this->SunAzimuth, 360.0) * RadiansPerDegree, elevation,
     { perez, perez ? this->DiffuseIrradiance : 1.0 }, SkyWidth, SkyHeight, this->Pixels.data());
 }
 
@@ -106,7 +111,7 @@ skyline::TurnedLightMap vtkSkylineEnvironmentLight::GetLightMap()
     this->PixelTime = this->GetMTime();
   }
   TurnedLightMap light;
-  light.Rotation = this->Rotation * RadiansPerDegree;
+  light.Rotation = std::fmod(this->Rotation, 360.0) * RadiansPerDegree; // exact, however large
   std::copy_n(this->Radiance, 3, light.Scale);
   if (this->Source == IMAGE)
   {

@@ -76,7 +76,7 @@ public:
 
   ///@{
   /// W/m^2, for PEREZ: the sun's on a plane that faces it, 0 or more, default 800, and the sky's on
-  /// level open ground, above 0, default 100.
+  /// level open ground, above 0, default 100. With the sun on or under the horizon the sky is dark.
   vtkSetMacro(DirectIrradiance, double);
   vtkGetMacro(DirectIrradiance, double);
   vtkSetMacro(DiffuseIrradiance, double);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkylineSunLight.h"
 
+#include "BaseHeight.h"
+#include "Eclipse.h"
 #include "SunField.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -26,6 +28,25 @@ void vtkSkylineSunLight::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "LimbDarkening: " << this->LimbDarkening << "\n";
 }
 
+namespace
+{
+
+double MiddleHeight(vtkImageData* heightField)
+{
+  vtkDataArray* heights = heightField->GetPointData()->GetScalars();
+  double range[2] = { 0.0, -1.0 };
+  if (heights)
+  {
+    heights->GetFiniteRange(range, 0);
+  }
+  return range[0] <= range[1]
+    ? skyline::BaseHeight(heights->GetNumberOfTuples(), range[0], range[1],
+        [&](std::ptrdiff_t post) { return heights->GetComponent(post, 0); })
+    : 0.0;
+}
+
+} // namespace
+
 bool vtkSkylineSunLight::FindDirection(vtkImageData* heightField, double direction[3])
 {
   direction[0] = this->Azimuth;
@@ -40,12 +61,7 @@ bool vtkSkylineSunLight::FindDirection(vtkImageData* heightField, double directi
     vtkErrorMacro("no height field: the sun of a time needs a place");
     return false;
   }
-  double range[2] = { 0.0, 0.0 };
-  if (vtkDataArray* heights = heightField->GetPointData()->GetScalars())
-  {
-    heights->GetFiniteRange(range, 0);
-  }
-  const double height = range[0] <= range[1] ? range[0] + 0.5 * (range[1] - range[0]) : 0.0;
+  const double height = MiddleHeight(heightField);
   const int* posts = heightField->GetDimensions();
   try
   {
@@ -57,6 +73,33 @@ bool vtkSkylineSunLight::FindDirection(vtkImageData* heightField, double directi
     if (this->TrueRadius)
     {
       direction[2] = middle.Radius;
+    }
+    return true;
+  }
+  catch (const std::exception& reason)
+  {
+    vtkErrorMacro(<< reason.what());
+    return false;
+  }
+}
+
+bool vtkSkylineSunLight::FindEclipse(vtkImageData* heightField, double eclipse[2])
+{
+  eclipse[0] = eclipse[1] = 0.0;
+  if (!this->UseTime || !heightField)
+  {
+    return true;
+  }
+  const int* posts = heightField->GetDimensions();
+  try
+  {
+    const skyline::EclipseField field(skyline::LoadGeoreference(heightField),
+      skyline::ParseUtcTime(this->Time), MiddleHeight(heightField));
+    if (field.Any())
+    {
+      const skyline::SunAndMoon middle = field.At(0.5 * (posts[0] - 1), 0.5 * (posts[1] - 1));
+      eclipse[0] = middle.Magnitude();
+      eclipse[1] = middle.Obscuration();
     }
     return true;
   }

@@ -4,7 +4,8 @@
  * @brief   the sun, or the moon: a small bright disc
  *
  * A direction for all posts, or, with UseTime, the sun of that time at the place of each post (needs
- * a georeference). Its light comes from above the horizontal plane only.
+ * a georeference). Its light comes from above the horizontal plane only. In an eclipse at that time it is
+ * dimmed, at each post, to what the Moon leaves of it (harmonics: over the middle); skies are not.
  */
 #ifndef vtkSkylineSunLight_h
 #define vtkSkylineSunLight_h
@@ -75,6 +76,12 @@ public:
   /// apparent elevation, with UseTime those of Time there, and angular radius; degrees. The heights
   /// are the active scalars. False, with one error, where there is no such place or time.
   bool FindDirection(vtkImageData* heightField, double direction[3]);
+
+  /// The eclipse of the sun of Time over the middle of a height field: magnitude (the covered part of
+  /// the diameter; in totality, and with a ring, the ratio of both diameters) and obscuration (the
+  /// covered share of the disc's area, 0 to 1). Both 0 without an eclipse, without UseTime, and off
+  /// the Earth. False, with one error, where there is no such time.
+  bool FindEclipse(vtkImageData* heightField, double eclipse[2]);
 
 protected:
   vtkSkylineSunLight() = default;

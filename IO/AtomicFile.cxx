@@ -6,16 +6,16 @@
 #include "vtkErrorCode.h"
 
 #include <array>
-#include <atomic>
 #include <cerrno>
-#include <climits>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
-#include <random>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 namespace skyline
@@ -24,52 +24,20 @@ namespace skyline
 namespace
 {
 
-/// What may lie beside a temporary: GDAL's metadata, our intermediate, the COG driver's overviews.
-constexpr const char* IntermediateSuffix = ".part.tif";
-constexpr std::array<const char*, 6> Suffixes{ { "", ".aux.xml", IntermediateSuffix,
-  ".part.tif.aux.xml", ".ovr.tmp", ".msk.ovr.tmp" } };
-constexpr std::size_t LongestSuffix = 32;
-
 /// What GDAL reads together with a raster, and what must not outlive it.
 constexpr std::array<const char*, 3> SideFiles{ { ".aux.xml", ".ovr", ".msk" } };
 
 /// A file system with less space than this counts as full: writers ask for about this much.
 constexpr double NoSpace = 64.0 * 1024;
 
-/// The temporaries of the process, in memory that a signal handler may read.
-struct Entry
-{
-  enum State
-  {
-    Free,
-    Changing,
-    Used
-  };
-  std::atomic<int> State{ Free };
-  char Path[PATH_MAX] = {};
-};
-static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads it");
-std::array<Entry, 16> Entries;
+/// Links after links that the system follows (Linux: path_resolution(7)).
+constexpr int MostLinks = 40;
 
-/// Enters a path; -1 when the list is full or the path too long, which only a signal will miss.
-int Enter(const std::string& path)
-{
-  if (path.size() + LongestSuffix >= PATH_MAX)
-  {
-    return -1;
-  }
-  for (std::size_t i = 0; i < Entries.size(); ++i)
-  {
-    int expected = Entry::Free;
-    if (Entries[i].State.compare_exchange_strong(expected, Entry::Changing))
-    {
-      std::memcpy(Entries[i].Path, path.c_str(), path.size() + 1);
-      Entries[i].State = Entry::Used;
-      return static_cast<int>(i);
-    }
-  }
-  return -1;
-}
+/// Longer than any extension of a file that we write.
+constexpr std::size_t LongestExtension = 32;
+
+/// Where Linux keeps a file's access control list, whose form we need not know.
+constexpr const char* AccessList = "system.posix_acl_access";
 
 /// The path without links, dots and double slashes; the path itself where there is none.
 std::string RealPath(const std::string& path)
@@ -93,13 +61,33 @@ std::string FolderOf(const std::string& path)
   return slash == 0 ? "/" : path.substr(0, slash);
 }
 
+std::string TemporaryFolder()
+{
+  const char* folder = std::getenv("TMPDIR");
+  return RealPath(folder && *folder ? folder : "/tmp");
+}
+
 /// The extension with its dot, if it looks like one.
 std::string ExtensionOf(const std::string& path)
 {
   const std::size_t dot = path.find_last_of("./");
   const bool usable =
-    dot != std::string::npos && path[dot] == '.' && path.size() - dot <= LongestSuffix;
+    dot != std::string::npos && path[dot] == '.' && path.size() - dot <= LongestExtension;
   return usable ? path.substr(dot) : "";
+}
+
+/// N where a path is a descriptor of this process in /proc, else -1.
+int DescriptorOf(const std::string& path)
+{
+  const std::string name = path.substr(path.rfind('/') + 1);
+  if (name.empty() || name.size() > 9 || name.find_first_not_of("0123456789") != std::string::npos)
+  {
+    return -1;
+  }
+  const std::string folder = RealPath(FolderOf(path));
+  const bool own =
+    folder == RealPath("/proc/self/fd") || folder == RealPath("/proc/thread-self/fd");
+  return own ? std::atoi(name.c_str()) : -1;
 }
 
 unsigned long CodeFor(int error)
@@ -125,6 +113,8 @@ const char* CureFor(int error)
     case EDQUOT:
     case EFBIG:
       return "; free some space or choose another place";
+    case ENXIO:
+      return " (nobody reads from it); start its reader";
     default:
       return "; choose another place";
   }
@@ -134,69 +124,99 @@ const char* CureFor(int error)
 
 AtomicFile::AtomicFile(const std::string& target)
   : Target(target)
-  , Real(RealPath(target))
+{
+  this->Find();
+  this->Reserve();
+}
+
+AtomicFile::~AtomicFile() = default;
+
+/// Follows the target's links to where it lies.
+void AtomicFile::Find()
 {
   struct stat status;
-  std::string folder = FolderOf(this->Real);
-  if (::stat(this->Real.c_str(), &status) == 0)
+  const bool there = ::stat(this->Target.c_str(), &status) == 0;
+  if (!there && errno != ENOENT)
   {
-    if (S_ISDIR(status.st_mode))
+    this->Fail(errno); // among others: a link that the system does not follow
+  }
+  this->Real = this->Target;
+  std::array<char, 4096> link;
+  for (int links = 0; links < MostLinks; ++links)
+  {
+    this->Descriptor = DescriptorOf(this->Real);
+    const ssize_t length =
+      this->Descriptor >= 0 ? -1 : ::readlink(this->Real.c_str(), link.data(), link.size());
+    if (length < 0)
     {
-      this->Fail(EISDIR);
+      break;
     }
+    const std::string next(link.data(), static_cast<std::size_t>(length));
+    this->Real = next[0] == '/' ? next : FolderOf(this->Real) + "/" + next;
+  }
+  if (!there)
+  {
+    return;
+  }
+  if (S_ISDIR(status.st_mode))
+  {
+    this->Fail(EISDIR);
+  }
+  this->Device = this->Descriptor >= 0 || !S_ISREG(status.st_mode);
+  const int flags = this->Descriptor < 0 ? O_WRONLY : ::fcntl(this->Descriptor, F_GETFL);
+  if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY)
+  {
+    this->Fail(EBADF);
+  }
+  if (this->Descriptor < 0)
+  {
     if (::access(this->Real.c_str(), W_OK) != 0)
     {
       this->Fail(errno);
     }
-    this->Device = !S_ISREG(status.st_mode);
-    if (this->Device)
-    {
-      const char* temporary = std::getenv("TMPDIR");
-      folder = temporary && *temporary ? temporary : "/tmp";
-    }
+    this->Real = RealPath(this->Real);
   }
-  this->ReserveIn(RealPath(folder));
 }
 
-AtomicFile::~AtomicFile()
+void AtomicFile::Reserve()
 {
-  this->Discard();
-}
-
-void AtomicFile::ReserveIn(const std::string& folder)
-{
-  std::random_device random;
-  for (int attempt = 0; attempt < 100; ++attempt)
+  const std::string temporary = TemporaryFolder();
+  const std::string folder = this->Device ? temporary : RealPath(FolderOf(this->Real));
+  SweepTemporaries(folder);
+  if (folder != temporary)
   {
-    this->Path = folder + "/.skyline-" + std::to_string(::getpid()) + "-" +
-      std::to_string(random()) + ".part" + ExtensionOf(this->Target);
-    // In the list before it exists, so that no signal finds it unlisted.
-    this->Slot = Enter(this->Path);
-    const int file = ::open(this->Path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (file >= 0)
-    {
-      ::close(file);
-      return;
-    }
-    const int error = errno;
-    const bool taken = error == EEXIST;
-    if (this->Slot >= 0)
-    {
-      Entries[static_cast<std::size_t>(this->Slot)].State = Entry::Free;
-      this->Slot = -1;
-    }
-    this->Path.clear();
-    if (!taken)
-    {
-      this->Fail(error);
-    }
+    SweepTemporaries(temporary);
   }
-  this->Fail(EEXIST);
+  // What is new may be seen by those whom the umask allows; what replaces a file, or goes to someone
+  // else, by its owner alone until it has the file's rights.
+  const bool fresh = !this->Device && ::access(this->Real.c_str(), F_OK) != 0;
+  this->File.emplace(folder, ExtensionOf(this->Target), fresh ? 0666 : 0600);
+  if (!this->File->IsOpen())
+  {
+    const int error = errno;
+    this->File.reset();
+    this->Fail(error);
+  }
 }
 
 std::string AtomicFile::GetIntermediatePath() const
 {
-  return this->Path + IntermediateSuffix;
+  return this->GetPath() + IntermediateSuffix;
+}
+
+std::vector<std::string> AtomicFile::Endangered(const std::string& target)
+{
+  std::vector<std::string> files{ target };
+  struct stat status;
+  if (::stat(target.c_str(), &status) == 0 && S_ISREG(status.st_mode))
+  {
+    const std::string real = RealPath(target);
+    for (const char* suffix : SideFiles)
+    {
+      files.push_back(real + suffix);
+    }
+  }
+  return files;
 }
 
 void AtomicFile::Commit()
@@ -209,30 +229,18 @@ void AtomicFile::Commit()
   {
     this->Replace();
   }
-  this->Discard();
+  this->File->Remove();
 }
 
 void AtomicFile::Replace()
 {
+  this->KeepRights();
   // Some file systems notice only here that they are full.
-  const int file = ::open(this->Path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool synced = file >= 0 && (::fsync(file) == 0 || errno == EINVAL);
-  const int error = errno;
-  if (file >= 0)
+  if (::fsync(this->File->GetFile()) != 0 && errno != EINVAL)
   {
-    ::close(file);
+    this->Fail(errno);
   }
-  if (!synced)
-  {
-    this->Fail(error);
-  }
-
-  struct stat status;
-  if (::stat(this->Real.c_str(), &status) == 0)
-  {
-    (void)::chmod(this->Path.c_str(), status.st_mode & 07777);
-  }
-  if (::rename(this->Path.c_str(), this->Real.c_str()) != 0)
+  if (::rename(this->GetPath().c_str(), this->Real.c_str()) != 0)
   {
     this->Fail(errno);
   }
@@ -240,14 +248,94 @@ void AtomicFile::Replace()
   {
     ::unlink((this->Real + suffix).c_str());
   }
-  (void)::rename((this->Path + ".aux.xml").c_str(), (this->Real + ".aux.xml").c_str());
+  (void)::rename((this->GetPath() + ".aux.xml").c_str(), (this->Real + ".aux.xml").c_str());
+  this->SyncFolder();
 }
 
-void AtomicFile::CopyToDevice() const
+/// Gives the temporary the rights of the file that it replaces, and the side file those of the
+/// temporary: never more than the file had, if less where the user may not give as much.
+void AtomicFile::KeepRights()
 {
-  const int from = ::open(this->Path.c_str(), O_RDONLY | O_CLOEXEC);
-  const int to = ::open(this->Real.c_str(), O_WRONLY | O_CLOEXEC);
+  const int file = this->File->GetFile();
+  struct stat old;
+  if (::stat(this->Real.c_str(), &old) == 0)
+  {
+    const bool owned = ::fchown(file, old.st_uid, old.st_gid) == 0 ||
+      ::fchown(file, static_cast<uid_t>(-1), old.st_gid) == 0;
+    std::array<char, 4096> list;
+    const ssize_t length = ::getxattr(this->Real.c_str(), AccessList, list.data(), list.size());
+    bool listed = length < 0 && (errno == ENODATA || errno == ENOTSUP);
+    if (listed)
+    {
+      (void)::fremovexattr(file, AccessList); // what the folder gives to new files
+    }
+    mode_t mode = old.st_mode & 0777;
+    if (!owned)
+    {
+      mode &= ~070U | ((mode & 07U) << 3); // another group: no more than everybody may
+    }
+    else if (length >= 0)
+    {
+      listed = ::fsetxattr(file, AccessList, list.data(), static_cast<std::size_t>(length), 0) == 0;
+    }
+    if (!listed)
+    {
+      mode &= ~070U | ((mode & 07U) << 3); // the group's bits are the mask of a list that is lost
+    }
+    (void)::fchmod(file, mode);
+  }
+  struct stat now;
+  if (::fstat(file, &now) == 0)
+  {
+    (void)::chmod((this->GetPath() + ".aux.xml").c_str(), now.st_mode & 0777);
+  }
+}
+
+void AtomicFile::SyncFolder() const
+{
+  const int folder = ::open(FolderOf(this->Real).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int error = folder < 0 || ::fsync(folder) == 0 ? 0 : errno;
+  if (folder >= 0)
+  {
+    ::close(folder);
+  }
+  if (error == EIO)
+  {
+    this->Fail(error);
+  }
+}
+
+int AtomicFile::OpenDevice() const
+{
+  if (this->Descriptor >= 0)
+  {
+    return ::fcntl(this->Descriptor, F_DUPFD_CLOEXEC, 0);
+  }
+  // Without O_NONBLOCK, a named pipe would wait for its reader for ever.
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(PipePatience);
+  int file = ::open(this->Real.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+  struct stat status;
+  while (file < 0 && errno == ENXIO && ::stat(this->Real.c_str(), &status) == 0 &&
+    S_ISFIFO(status.st_mode) && std::chrono::steady_clock::now() < end)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    file = ::open(this->Real.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+  }
+  if (file >= 0)
+  {
+    (void)::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) & ~O_NONBLOCK);
+  }
+  return file;
+}
+
+void AtomicFile::CopyToDevice()
+{
+  // From here on the file needs no name: even a killed process leaves none.
+  const int from = ::fcntl(this->File->GetFile(), F_DUPFD_CLOEXEC, 0);
+  (void)::lseek(from, 0, SEEK_SET);
+  const int to = this->OpenDevice();
   int error = from < 0 || to < 0 ? errno : 0;
+  this->File->Remove();
   std::array<char, 65536> buffer;
   while (error == 0)
   {
@@ -285,27 +373,10 @@ void AtomicFile::CopyToDevice() const
   }
 }
 
-void AtomicFile::Discard()
-{
-  if (!this->Path.empty())
-  {
-    for (const char* suffix : Suffixes)
-    {
-      ::unlink((this->Path + suffix).c_str());
-    }
-  }
-  if (this->Slot >= 0)
-  {
-    Entries[static_cast<std::size_t>(this->Slot)].State = Entry::Free;
-  }
-  this->Path.clear();
-  this->Slot = -1;
-}
-
 void AtomicFile::Fail(const std::string& reason) const
 {
   struct statvfs space;
-  if (::statvfs(FolderOf(this->Path).c_str(), &space) == 0 &&
+  if (this->File && ::statvfs(FolderOf(this->GetPath()).c_str(), &space) == 0 &&
     static_cast<double>(space.f_bavail) * static_cast<double>(space.f_frsize) < NoSpace)
   {
     this->Fail(ENOSPC);
@@ -318,25 +389,6 @@ void AtomicFile::Fail(int error) const
 {
   throw IoFailure(CodeFor(error),
     "cannot write '" + this->Target + "': " + std::strerror(error) + CureFor(error));
-}
-
-void RemoveTemporaries() noexcept
-{
-  for (Entry& entry : Entries)
-  {
-    if (entry.State != Entry::Used)
-    {
-      continue;
-    }
-    char path[PATH_MAX];
-    const std::size_t length = std::strlen(entry.Path);
-    std::memcpy(path, entry.Path, length);
-    for (const char* suffix : Suffixes)
-    {
-      std::memcpy(path + length, suffix, std::strlen(suffix) + 1);
-      ::unlink(path);
-    }
-  }
 }
 
 } // namespace skyline

@@ -28,7 +28,7 @@ int FlagsFor(const std::string& access)
 } // namespace
 
 CheckedFile::CheckedFile(const std::string& path, const std::string& access)
-  : File(::open(path.c_str(), FlagsFor(access) | O_CLOEXEC, 0666))
+  : File(::open(path.c_str(), FlagsFor(access) | O_CLOEXEC, 0600))
 {
   struct stat status = {};
   this->Remember(this->File < 0 || ::fstat(this->File, &status) != 0);

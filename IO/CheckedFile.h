@@ -16,7 +16,8 @@ namespace skyline
 class CheckedFile
 {
 public:
-  /// What fopen would do with "r", "r+", "w" or "w+" (b does not matter).
+  /// What fopen would do with "r", "r+", "w" or "w+" (b does not matter); a new file is the user's own
+  /// to read, until AtomicFile::Commit says who else may.
   CheckedFile(const std::string& path, const std::string& access);
   ~CheckedFile();
   CheckedFile(const CheckedFile&) = delete;

@@ -135,10 +135,12 @@ void CoordinateSystem::ReadUnits(const OGRSpatialReference& whole)
         "' of no known length; assign a CRS with a unit (gdal_edit.py -a_srs)");
   }
 
-  // GDAL answers 1 for a CRS without a vertical part, so ask only where there is one.
-  if (whole.IsCompound() || whole.IsVertical())
+  // The third axis of a compound CRS or of a CRS of three dimensions.
+  if (whole.GetAxesCount() > 2)
   {
-    this->VerticalUnit = whole.GetTargetLinearUnits("VERT_CS", &name);
+    OGRAxisOrientation axis = OAO_Other;
+    whole.GetAxis(nullptr, 2, &axis, &this->VerticalUnit);
+    this->Depths = axis == OAO_Down;
     if (!(this->VerticalUnit > 0.0) || !std::isfinite(this->VerticalUnit))
     {
       Refuse(this->File,

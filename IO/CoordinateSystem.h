@@ -42,8 +42,15 @@ public:
   /// Metres in one unit of x and y; degrees in one where the CRS is geographic.
   double GetUnit() const { return this->Unit; }
 
-  /// Metres in one unit of height by the CRS's vertical part; 0 where it has none.
+  /// True for a CRS that counts lengths on a map; false where it is geographic, or there is none.
+  bool IsOnMap() const { return !this->Wkt.empty() && !this->Geographic; }
+
+  /// Metres in one unit of height by the CRS's vertical axis, of a compound CRS or one of three
+  /// dimensions; 0 where it has none.
   double GetVerticalUnit() const { return this->VerticalUnit; }
+
+  /// True where the vertical axis counts downwards.
+  bool CountsDepths() const { return this->Depths; }
 
   /// True where x grows to the west and y to the south (South African maps).
   bool PointsSouthWest() const { return this->SouthWest; }
@@ -71,6 +78,7 @@ private:
   bool SouthWest = false;
   double Unit = 1.0;
   double VerticalUnit = 0.0;
+  bool Depths = false;
 };
 
 } // namespace skyline

@@ -5,6 +5,8 @@
 
 #include <gdal.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <mutex>
 
 namespace skyline
@@ -31,16 +33,32 @@ void GdalErrors::Clear()
 {
   this->Failed = false;
   this->Message.clear();
+  this->Warnings.clear();
 }
 
 void GdalErrors::Keep(CPLErr kind, CPLErrorNum, const char* message)
 {
   auto* self = static_cast<GdalErrors*>(CPLGetErrorHandlerUserData());
-  if (kind < CE_Failure || !self)
+  if (!self || kind < CE_Warning)
   {
     return;
   }
+  if (kind == CE_Warning)
+  {
+    const std::string line = FirstLine(message ? message : "");
+    auto& known = self->Warnings;
+    if (!line.empty() && std::find(known.begin(), known.end(), line) == known.end())
+    {
+      known.push_back(line);
+    }
+    return;
+  }
   self->Failed = true;
+  if (kind == CE_Fatal)
+  {
+    // GDAL calls abort next, as it does where memory for a table of its own is missing.
+    std::fprintf(stderr, "skyline: GDAL ends the program: %s\n", message ? message : "no reason");
+  }
   if (self->Message.empty() && message)
   {
     self->Message = FirstLine(message);

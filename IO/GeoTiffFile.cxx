@@ -2,11 +2,15 @@
 #include "GeoTiffFile.h"
 
 #include "AtomicFile.h"
+#include "BandRows.h"
+#include "Batches.h"
 #include "CheckedVsi.h"
 #include "GdalErrors.h"
+#include "GeoTiffCheck.h"
+#include "GeoTiffRows.h"
+#include "TiffBlockTable.h"
 #include "vtkSkylineGeoreference.h"
 
-#include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 #include "vtkImageData.h"
@@ -18,12 +22,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <exception>
 #include <limits>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
-#include <type_traits>
+#include <utility>
 
 namespace skyline
 {
@@ -37,7 +42,10 @@ constexpr int TileSize = 256;
 
 /// Bytes of a strip in a file without tiles, and bytes handed to GDAL in one go.
 constexpr int StripBytes = 64 * 1024;
-constexpr double ChunkBytes = 32.0 * 1024 * 1024;
+constexpr double ChunkBytes = 4.0 * 1024 * 1024;
+
+/// Bytes of a band that one thread packs in one go, at least a row of blocks.
+constexpr double PartBytes = 2.0 * 1024 * 1024;
 
 /// Nodata values beyond this cannot be an angle, a fraction or an irradiance.
 constexpr double LargestResult = 1000.0;
@@ -95,55 +103,11 @@ struct Census
   }
 };
 
-/// Copies rows of one array's components into a band-sequential buffer, top row first.
-template <typename T>
-struct RowCopier
-{
-  T* Buffer = nullptr;
-  std::vector<int> Components; ///< the array's components that are bands here, in order
-  std::size_t BandStride = 0;
-  int Columns = 0;
-  int TopRow = 0; ///< of the image, counted from the south
-  int Count = 0;  ///< rows
-  T Nodata = T(0);
-
-  template <typename ArrayT>
-  void operator()(ArrayT* array) const
-  {
-    const auto tuples = vtk::DataArrayTupleRange(array);
-    for (int line = 0; line < this->Count; ++line)
-    {
-      const vtkIdType first = static_cast<vtkIdType>(this->TopRow - line) * this->Columns;
-      T* row = this->Buffer + static_cast<std::size_t>(line) * this->Columns;
-      for (int column = 0; column < this->Columns; ++column)
-      {
-        const auto tuple = tuples[first + column];
-        T* to = row + column;
-        for (const int component : this->Components)
-        {
-          const auto value = static_cast<T>(tuple[component]);
-          *to = std::isfinite(value) ? value : this->Nodata;
-          to += this->BandStride;
-        }
-      }
-    }
-  }
-};
-
-template <typename Worker>
-void Dispatch(vtkDataArray* array, Worker& worker)
-{
-  if (!vtkArrayDispatch::Dispatch::Execute(array, worker))
-  {
-    worker(array);
-  }
-}
-
 /// GDAL's progress function over our own, which may throw; the exception waits in here.
 struct ProgressBridge
 {
   const std::function<void(double)>& Report;
-  double Begin = 0.0;
+  double Begin = 0.0, End = 1.0;
   std::exception_ptr Thrown;
 
   static int CPL_STDCALL Call(double part, const char*, void* data)
@@ -151,7 +115,7 @@ struct ProgressBridge
     auto* self = static_cast<ProgressBridge*>(data);
     try
     {
-      self->Report(self->Begin + (1.0 - self->Begin) * part);
+      self->Report(self->Begin + (self->End - self->Begin) * part);
       return TRUE;
     }
     catch (...)
@@ -209,24 +173,25 @@ public:
   {
     this->ChooseNodata();
     const bool cloud = this->Content.CloudOptimized;
-    this->ProgressShare = cloud ? 0.5 : 1.0;
+    this->ProgressShare = cloud ? 0.4 : 0.9;
+    const bool narrow = GDALGetDataTypeSizeBytes(this->Type) <= 2 || this->Type == GDT_Float32;
+    this->Buffer = narrow ? GDT_Float32 : GDT_Float64;
     const std::string path =
       CheckedVsi::NameOf(cloud ? this->File.GetIntermediatePath() : this->File.GetPath());
-    this->Create(path, !cloud);
-    this->Describe();
-    if (GDALGetDataTypeSizeBytes(this->Type) <= 2 || this->Type == GDT_Float32)
+    if (!this->WriteOnAllThreads(path))
     {
-      this->WriteBands<float>(GDT_Float32);
+      this->Create(path);
+      this->Describe();
+      narrow ? this->WriteBands<float>() : this->WriteBands<double>();
+      this->Close();
     }
-    else
-    {
-      this->WriteBands<double>(GDT_Float64);
-    }
-    this->Close();
     if (cloud)
     {
       this->Optimize(path);
     }
+    const double begin = 0.9;
+    CheckGeoTiff({ &this->Content, this->Buffer, this->Nodata, this->DeclareNodata }, this->File,
+      [&](double part) { this->Report(begin + (1.0 - begin) * part); });
   }
 
 private:
@@ -288,7 +253,7 @@ private:
       if (band.Array != counted)
       {
         counted = band.Array;
-        Dispatch(counted, census);
+        DispatchArray(counted, census);
       }
     }
 
@@ -301,20 +266,20 @@ private:
     this->DeclareNodata = census.Missing || this->Content.HasNodata;
   }
 
-  void Create(const std::string& path, bool compress)
+  /// How blocks are laid out and packed; the same for the file and for parts of it.
+  CPLStringList BlockOptions() const
   {
     const int columns = this->Content.Columns;
     const int rows = this->Content.Rows;
     CPLStringList options;
     options.SetNameValue("INTERLEAVE", this->Color ? "PIXEL" : "BAND");
-    options.SetNameValue("BIGTIFF", "IF_SAFER");
-    options.SetNameValue("NUM_THREADS", "ALL_CPUS");
+    options.SetNameValue("NUM_THREADS", "1"); // errors of other threads would not be heard
     if (this->Color)
     {
       options.SetNameValue("PHOTOMETRIC", "RGB");
       options.SetNameValue("ALPHA", this->Content.Bands.size() == 4 ? "YES" : "NO");
     }
-    if (compress)
+    if (!this->Content.CloudOptimized)
     {
       options.SetNameValue("COMPRESS", "DEFLATE");
       options.SetNameValue("PREDICTOR", this->Real ? "3" : "2");
@@ -327,10 +292,21 @@ private:
     }
     else
     {
-      const int bytes = columns * GDALGetDataTypeSizeBytes(this->Type);
-      const int strip = std::clamp(StripBytes / bytes, 1, rows);
+      const std::int64_t bytes =
+        static_cast<std::int64_t>(columns) * GDALGetDataTypeSizeBytes(this->Type);
+      const std::int64_t strip = std::clamp<std::int64_t>(StripBytes / bytes, 1, rows);
       options.SetNameValue("BLOCKYSIZE", std::to_string(strip).c_str());
     }
+    return options;
+  }
+
+  void Create(const std::string& path, bool withoutBlocks = false)
+  {
+    CPLStringList options = this->BlockOptions();
+    options.SetNameValue("BIGTIFF", "IF_SAFER");
+    options.SetNameValue("SPARSE_OK", withoutBlocks ? "YES" : "NO");
+    const int columns = this->Content.Columns;
+    const int rows = this->Content.Rows;
     this->Dataset.reset(this->Driver("GTiff")->Create(path.c_str(), columns, rows,
       static_cast<int>(this->Content.Bands.size()), this->Type, options.List()));
     this->Check(this->Dataset != nullptr);
@@ -370,7 +346,7 @@ private:
   }
 
   template <typename T>
-  void WriteBands(GDALDataType bufferType)
+  void WriteBands()
   {
     const int columns = this->Content.Columns;
     const int rows = this->Content.Rows;
@@ -395,12 +371,13 @@ private:
       for (int first = 0; first < bands; first += group)
       {
         const int groupBands = std::min(group, bands - first);
-        this->Gather(buffer.data(), bandStride, row, count, first, groupBands);
+        GatherRows(
+          this->Content, this->Nodata, buffer.data(), bandStride, row, count, first, groupBands);
         std::vector<int> numbers(static_cast<std::size_t>(groupBands));
         std::iota(numbers.begin(), numbers.end(), first + 1);
         const CPLErr failed =
           this->Dataset->RasterIO(GF_Write, 0, row, columns, count, buffer.data(), columns, count,
-            bufferType, groupBands, numbers.data(), sizeof(T), lineBytes, bandBytes, nullptr);
+            this->Buffer, groupBands, numbers.data(), sizeof(T), lineBytes, bandBytes, nullptr);
         this->Check(failed == CE_None);
         const double done = row + count * static_cast<double>(first + groupBands) / bands;
         this->Report(this->ProgressShare * done / rows);
@@ -408,28 +385,75 @@ private:
     }
   }
 
-  template <typename T>
-  void Gather(T* buffer, std::size_t bandStride, int row, int count, int first, int bands) const
+  /// Writes a file whose blocks belong to one band each: GDAL makes it without blocks, every thread of
+  /// ours has GDAL pack some rows of a band as a file of its own in memory, and the packed blocks go
+  /// into the first file as they are. False, and nothing done, where that does not serve.
+  bool WriteOnAllThreads(const std::string& path)
   {
-    auto band = this->Content.Bands.begin() + first;
-    const auto end = band + bands;
-    while (band != end)
+    const int bands = static_cast<int>(this->Content.Bands.size());
+    if (this->Content.CloudOptimized || this->Color)
     {
-      // Neighbouring bands of one array go together: the array is walked once.
-      vtkDataArray* array = band->Array;
-      RowCopier<T> copier;
-      copier.Buffer = buffer;
-      copier.BandStride = bandStride;
-      copier.Columns = this->Content.Columns;
-      copier.TopRow = this->Content.Rows - 1 - row;
-      copier.Count = count;
-      copier.Nodata = static_cast<T>(this->Nodata);
-      for (; band != end && band->Array == array; ++band)
+      return false;
+    }
+    this->Create(path, true);
+    this->Describe();
+    int blockColumns = 1, blockRows = 1;
+    this->Dataset->GetRasterBand(1)->GetBlockSize(&blockColumns, &blockRows);
+    this->Close();
+    const int across = (this->Content.Columns + blockColumns - 1) / blockColumns;
+    const int down = (this->Content.Rows + blockRows - 1) / blockRows;
+    const std::size_t ofBand = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
+    TiffBlockTable table(this->File.GetPath());
+    if (!table.Has(ofBand * static_cast<std::size_t>(bands)))
+    {
+      return false;
+    }
+
+    const double rowBytes =
+      static_cast<double>(this->Content.Columns) * GDALGetDataTypeSizeBytes(this->Buffer);
+    const int partDown = static_cast<int>(
+      std::clamp(PartBytes / (rowBytes * blockRows), 1.0, static_cast<double>(down)));
+    const int parts = (down + partDown - 1) / partDown;
+    const int jobs = parts * bands;
+    const CPLStringList options = this->BlockOptions();
+    const PackingWay part{ &this->Content, this->Nodata, this->Type, this->Buffer, options.List() };
+    std::vector<PackedRows> packed(static_cast<std::size_t>(jobs));
+    const auto work = [&](int job)
+    {
+      const int row = job / bands * partDown * blockRows;
+      const int count = std::min(partDown * blockRows, this->Content.Rows - row);
+      packed[static_cast<std::size_t>(job)] = PackRows(part, job % bands, row, count, this->File);
+    };
+    const auto finish = [&](int begin, int end)
+    {
+      for (int job = begin; job < end; ++job)
       {
-        copier.Components.push_back(band->Component);
-        buffer += bandStride;
+        PackedRows& result = packed[static_cast<std::size_t>(job)];
+        std::size_t block = ofBand * static_cast<std::size_t>(job % bands) +
+          static_cast<std::size_t>(job / bands * partDown) * static_cast<std::size_t>(across);
+        for (const auto& [place, size] : result.Blocks)
+        {
+          table.Append(block++, result.Bytes.data() + place, size);
+        }
+        result = PackedRows();
       }
-      Dispatch(array, copier);
+      this->CheckWrite(table.GetError());
+      this->Report(this->ProgressShare * end / jobs);
+    };
+    RunInBatches(jobs, work, finish);
+    if (!table.Save())
+    {
+      this->File.Fail("the file is too large for its kind of TIFF");
+    }
+    this->CheckWrite(table.GetError());
+    return true;
+  }
+
+  void CheckWrite(int error) const
+  {
+    if (error != 0)
+    {
+      this->File.Fail(error);
     }
   }
 
@@ -449,14 +473,14 @@ private:
     options.SetNameValue("COMPRESS", "DEFLATE");
     options.SetNameValue("PREDICTOR", "YES");
     options.SetNameValue("BIGTIFF", "IF_SAFER");
-    options.SetNameValue("NUM_THREADS", "ALL_CPUS");
+    options.SetNameValue("NUM_THREADS", "1");
     options.SetNameValue("OVERVIEW_RESAMPLING", "AVERAGE");
     const std::function<void(double)> report = [this](double part)
     {
       this->Check(true);
       this->Report(part);
     };
-    ProgressBridge progress{ report, this->ProgressShare, nullptr };
+    ProgressBridge progress{ report, this->ProgressShare, 0.9, nullptr };
     const std::string target = CheckedVsi::NameOf(this->File.GetPath());
     this->Dataset.reset(this->Driver("COG")->CreateCopy(
       target.c_str(), source.get(), FALSE, options.List(), &ProgressBridge::Call, &progress));
@@ -475,6 +499,7 @@ private:
   const std::function<void(double)>& Report;
   std::unique_ptr<GDALDataset, Closer> Dataset;
   GDALDataType Type = GDT_Unknown;
+  GDALDataType Buffer = GDT_Float32; ///< what GDAL gets: the narrower type that holds all numbers
   bool Real = false;
   bool Color = false;
   bool DeclareNodata = false;

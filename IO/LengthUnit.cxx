@@ -18,7 +18,7 @@ struct NamedUnit
   double Metres;    ///< 0: a word for "not known"
 };
 
-constexpr std::array<NamedUnit, 28> NamedUnits{ {
+constexpr std::array<NamedUnit, 36> NamedUnits{ {
   { "m", 1.0 },
   { "metre", 1.0 },
   { "mtr", 1.0 },
@@ -38,6 +38,14 @@ constexpr std::array<NamedUnit, 28> NamedUnits{ {
   { "footussurvey", MetresPerSurveyFoot },
   { "km", 1000.0 },
   { "kilometre", 1000.0 },
+  { "gpm", 1.0 }, // geopotential metre: the height within 0.6 % below 9 km
+  { "geopotentialmetre", 1.0 },
+  { "gpkm", 1000.0 },
+  { "dam", 10.0 },
+  { "decametre", 10.0 },
+  { "gpdam", 10.0 },
+  { "yd", 0.9144 },
+  { "yard", 0.9144 },
   { "dm", 0.1 },
   { "decimetre", 0.1 },
   { "cm", 0.01 },
@@ -89,6 +97,20 @@ const NamedUnit* FindUnit(const std::string& name)
   return unit == NamedUnits.end() ? nullptr : unit;
 }
 
+/// True where a product or a power of units begins at or behind `begin`: "s-1", "s**2", "/s".
+bool Multiplies(const std::string& name, std::size_t begin)
+{
+  for (std::size_t i = begin; i < name.size(); ++i)
+  {
+    const bool power = name[i] == '-' && i + 1 < name.size() && std::isdigit(name[i + 1] & 0x7f);
+    if (power || std::strchr("/*^", name[i]))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 } // namespace
 
 UnitName ReadUnitName(const std::string& name, double& metres)
@@ -96,9 +118,10 @@ UnitName ReadUnitName(const std::string& name, double& metres)
   const NamedUnit* unit = FindUnit(name);
   if (!unit)
   {
-    // "metres above mean sea level"
+    // "metres above mean sea level", but not "m s-1"
     const std::size_t begin = name.find_first_not_of(" \t");
-    unit = FindUnit(name.substr(begin, name.find_first_of(" \t", begin) - begin));
+    const std::size_t end = name.find_first_of(" \t", begin);
+    unit = Multiplies(name, end) ? nullptr : FindUnit(name.substr(begin, end - begin));
   }
   if (!unit)
   {

@@ -47,6 +47,18 @@ std::string Reason(const std::string& error)
 /// Of the file, and of its display window: 32768 x 16384.
 constexpr std::int64_t MostPixels = std::int64_t(1) << 29;
 
+/// A map up to 4096 x 2048 is believed as it is. Beyond, a byte of the file stands for so many pixels
+/// at most: measured skies keep above one byte a pixel, made ones above a twentieth.
+constexpr std::int64_t BelievedPixels = std::int64_t(4096) * 2048;
+constexpr std::int64_t MostPixelsPerByte = 64;
+
+/// Of a tile or a block of lines, which OpenEXR holds in memory whole; one of 256 lines of 32768 half
+/// RGBA pixels has 64 MB.
+constexpr double MostChunkBytes = 512.0 * 1024 * 1024;
+
+/// Lines that OpenEXR compresses together, at most.
+constexpr double MostChunkLines = 256.0;
+
 std::string Dimensions(int columns, int rows)
 {
   return std::to_string(columns) + " x " + std::to_string(rows);
@@ -97,6 +109,12 @@ void LightMapFile::Open()
   {
     throw IoFailure(vtkErrorCode::CannotOpenFileError,
       "cannot read '" + this->File + "': it is a folder; give a .hdr or .exr file");
+  }
+  if (std::filesystem::is_other(this->File, status))
+  {
+    // Read to and fro, and a pipe that nobody writes would keep us waiting for ever.
+    throw IoFailure(vtkErrorCode::CannotOpenFileError,
+      "cannot read '" + this->File + "': it is a pipe or a device; give a .hdr or .exr file");
   }
   std::array<char, 4> start{};
   std::size_t size = 0;
@@ -190,6 +208,7 @@ void LightMapFile::FindShape()
     this->Refuse("it has " + Dimensions(spec.width, spec.height) +
       " pixels; give a map of 32768 x 16384 at most");
   }
+  this->CheckClaim(std::max(pixels, full));
   // The display window is the whole sphere where it says so, and then the pixels may be part of it.
   if (spec.full_width > 0 && spec.full_width == 2 * spec.full_height)
   {
@@ -215,6 +234,31 @@ void LightMapFile::FindShape()
   this->Faces.Size = size;
   this->Columns = static_cast<int>(4 * size);
   this->Rows = static_cast<int>(2 * size);
+}
+
+/// A header of a few bytes may promise gigabytes; memory is taken for what the file can hold.
+void LightMapFile::CheckClaim(std::int64_t pixels) const
+{
+  std::error_code status;
+  const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(this->File, status));
+  if (!status && pixels > BelievedPixels && pixels / MostPixelsPerByte > bytes)
+  {
+    this->Refuse("it has " + std::to_string(bytes) + " bytes for " + std::to_string(pixels) +
+      " pixels, beyond " + std::to_string(MostPixelsPerByte) +
+      " pixels a byte; give a map of 4096 x 2048 at most, or save it without compression");
+  }
+  const OIIO::ImageSpec& spec = this->Spec;
+  const double chunk = spec.tile_width > 0
+    ? static_cast<double>(spec.tile_width) * spec.tile_height
+    : spec.width * std::min<double>(spec.height, MostChunkLines);
+  const double chunkBytes = chunk * static_cast<double>(spec.pixel_bytes(true));
+  if (chunkBytes > MostChunkBytes)
+  {
+    this->Refuse("its " + std::string(spec.tile_width > 0 ? "tiles" : "blocks of lines") +
+      " with " + std::to_string(spec.nchannels) + " channels take " +
+      std::to_string(static_cast<std::int64_t>(chunkBytes / (1024 * 1024))) +
+      " MB each, and 512 are allowed; save it with R, G, B alone, in lines");
+  }
 }
 
 std::unique_ptr<float[]> LightMapFile::ReadPixels(const ProgressFunction& progress)

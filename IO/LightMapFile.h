@@ -8,6 +8,7 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -40,6 +41,7 @@ private:
   void Open();
   void FindChannels();
   void FindShape();
+  void CheckClaim(std::int64_t pixels) const;
   std::unique_ptr<float[]> ReadPixels(const ProgressFunction& progress);
   void PlaceInWindow(const float* values, float* pixels) const;
   [[noreturn]] void Refuse(const std::string& reason) const;

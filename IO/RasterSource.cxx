@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RasterSource.h"
 
+#include "HeightLimits.h"
+#include "HeightMeaning.h"
 #include "IoFailure.h"
-#include "LengthUnit.h"
+#include "LooksLikeDegrees.h"
+#include "MissingPosts.h"
 #include "RowSpacing.h"
 
 #include "vtkErrorCode.h"
@@ -12,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
@@ -27,10 +31,6 @@ constexpr double StripBytes = 4.0 * 1024 * 1024;
 
 /// Part of a pixel by which rotation may move the raster's far corner: rounding, not rotation.
 constexpr double RotationSlack = 1e-3;
-
-/// A nodata value beyond this is "the lowest float" of some program, often printed with six digits.
-constexpr double HugeNodata = 1e30;
-constexpr double HugeNodataTolerance = 1e-5;
 
 /// VTK's type for the values of a band, and whether float holds each of them exactly.
 struct BandType
@@ -113,57 +113,24 @@ GDALDataType GdalTypeOf(int vtkType)
 
 } // namespace
 
-RasterSource::RasterSource(const std::string& file, int band)
+RasterSource::RasterSource(const std::string& file, int band,
+  const std::vector<double>& furtherNodata, const SourcePolicy& policy, const std::string& spooled)
   : File(file)
+  , Opened(spooled.empty() ? file : spooled)
+  , Guard(this->Opened, policy, spooled.empty() ? "" : ".")
+  , FurtherNodata(furtherNodata)
 {
   this->Open(band);
   this->ReadTransform();
   this->ReadPlace();
+  this->CheckSpacing();
   this->ReadValues();
+  this->CheckComplaints();
 }
 
 void RasterSource::Refuse(const std::string& reason) const
 {
   throw IoFailure(vtkErrorCode::FileFormatError, "cannot use '" + this->File + "': " + reason);
-}
-
-void RasterSource::Open(int band)
-{
-  VSIStatBufL status;
-  const bool found = VSIStatL(this->File.c_str(), &status) == 0;
-  this->Dataset.reset(GDALDataset::Open(
-    this->File.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
-  if (!this->Dataset)
-  {
-    const unsigned long code =
-      found ? vtkErrorCode::UnrecognizedFileTypeError : vtkErrorCode::FileNotFoundError;
-    throw IoFailure(code,
-      "cannot read '" + this->File + "': " + this->Errors.First() +
-        (found ? "; give a raster that gdalinfo can open" : "; check the path"));
-  }
-
-  const int bands = this->Dataset->GetRasterCount();
-  if (bands == 0)
-  {
-    char** parts = this->Dataset->GetMetadata("SUBDATASETS");
-    const char* first = CSLFetchNameValue(parts, "SUBDATASET_1_NAME");
-    this->Refuse(first ? "it holds " + std::to_string(CSLCount(parts) / 2) +
-          " rasters; name one, such as '" + first + "'"
-                       : std::string("it has no raster band; give a file with heights"));
-  }
-  if (band < 1 || band > bands)
-  {
-    this->Refuse("it has no band " + std::to_string(band) + "; choose " +
-      (bands == 1 ? std::string("band 1") : "a band from 1 to " + std::to_string(bands)));
-  }
-  this->Band = this->Dataset->GetRasterBand(band);
-  this->Columns = this->Dataset->GetRasterXSize();
-  this->Rows = this->Dataset->GetRasterYSize();
-  if (this->Columns < 2 || this->Rows < 2)
-  {
-    this->Refuse(std::to_string(this->Columns) + " x " + std::to_string(this->Rows) +
-      " posts make no surface; give at least 2 x 2");
-  }
 }
 
 void RasterSource::ReadTransform()
@@ -179,15 +146,13 @@ void RasterSource::ReadTransform()
     this->Dataset->GetGeoTransform(transform.data()) == CE_None && (hasCrs || transform != none);
   if (!found)
   {
-    if (this->Dataset->GetGCPCount() > 0)
-    {
-      this->Refuse(
-        "it is placed by ground control points; warp it to a north-up raster (gdalwarp)");
-    }
+    this->RefuseOtherPlaces();
     if (hasCrs)
     {
       this->Refuse("it has a CRS but no geotransform; give its corners (gdal_edit.py -a_ullr)");
     }
+    this->Doubts.push_back(
+      { "'" + this->File + "' has no geotransform", "posts 1 m apart", "gdal_edit.py -a_ullr" });
     return;
   }
 
@@ -217,6 +182,40 @@ void RasterSource::ReadTransform()
   if (hasCrs)
   {
     this->Crs = CoordinateSystem(*crs, this->File);
+  }
+}
+
+/// Refuses a raster that is placed, but not by a geotransform.
+void RasterSource::RefuseOtherPlaces() const
+{
+  if (this->Dataset->GetGCPCount() > 0)
+  {
+    this->Refuse("it is placed by ground control points; warp it to a north-up raster (gdalwarp)");
+  }
+  if (this->Dataset->GetMetadata("RPC"))
+  {
+    this->Refuse("it is placed by rational polynomials (RPC); warp it to a north-up raster "
+                 "(gdalwarp -rpc)");
+  }
+  if (this->Dataset->GetMetadata("GEOLOCATION"))
+  {
+    this->Refuse(
+      "it is placed by arrays of coordinates (curvilinear); warp it to a north-up raster "
+      "(gdalwarp -geoloc)");
+  }
+}
+
+void RasterSource::CheckSpacing() const
+{
+  for (const double spacing : this->Spacing)
+  {
+    if (!(spacing >= LeastSpacing && spacing <= GreatestSpacing))
+    {
+      std::array<char, 32> text{};
+      std::snprintf(text.data(), text.size(), "%.6g", spacing);
+      this->Refuse("its posts are " + std::string(text.data()) +
+        " m apart, and 1e-9 to 1e9 m can be used; correct its corners (gdal_edit.py -a_ullr)");
+    }
   }
 }
 
@@ -289,34 +288,12 @@ void RasterSource::ReadValues()
       ", not heights; convert them to real numbers (gdal_translate -ot Float32)");
   }
 
-  double metres = 1.0;
-  const char* unit = this->Band->GetUnitType();
-  const std::string unitName = unit ? unit : "";
-  switch (ReadUnitName(unitName, metres))
-  {
-    case UnitName::Length:
-      break;
-    case UnitName::Absent:
-      metres = this->Crs.GetVerticalUnit() > 0.0 ? this->Crs.GetVerticalUnit() : 1.0;
-      break;
-    case UnitName::Unknown:
-      this->Refuse("its heights have the unit '" + unitName +
-        "', which is no known length; give metres or feet (gdal_edit.py -units m)");
-  }
+  const HeightMeaning meaning =
+    ReadHeightMeaning(*this->Dataset, *this->Band, this->Crs, this->File, this->Doubts);
+  this->Scale = meaning.Scale;
+  this->Offset = meaning.Offset;
 
   int found = 0;
-  double scale = this->Band->GetScale(&found);
-  scale = found ? scale : 1.0;
-  double offset = this->Band->GetOffset(&found);
-  offset = found ? offset : 0.0;
-  if (!std::isfinite(scale) || scale == 0.0 || !std::isfinite(offset))
-  {
-    this->Refuse("its band has the scale " + std::to_string(scale) + " and offset " +
-      std::to_string(offset) + "; set usable ones (gdal_edit.py -scale -offset)");
-  }
-  this->Scale = scale * metres;
-  this->Offset = offset * metres;
-
   if (gdalType == GDT_Int64)
   {
     this->Nodata = static_cast<double>(this->Band->GetNoDataValueAsInt64(&found));
@@ -333,10 +310,21 @@ void RasterSource::ReadValues()
   const int flags = this->Band->GetMaskFlags();
   this->HasMask = !(flags & GMF_ALL_VALID) && flags != GMF_NODATA;
 
-  this->Plain =
-    this->Scale == 1.0 && this->Offset == 0.0 && !this->DeclaresNodata && !this->HasMask;
+  this->Plain = this->Scale == 1.0 && this->Offset == 0.0 && !this->DeclaresNodata &&
+    this->FurtherNodata.empty() && !this->HasMask;
   const bool real = type.VtkType == VTK_FLOAT || type.VtkType == VTK_DOUBLE;
   this->VtkType = this->Plain || real ? type.VtkType : (type.FitsFloat ? VTK_FLOAT : VTK_DOUBLE);
+}
+
+std::vector<std::string> RasterSource::GetFiles() const
+{
+  std::vector<std::string> files{ this->File };
+  const CPLStringList listed(this->Dataset->GetFileList());
+  for (int i = 0; i < listed.Count(); ++i)
+  {
+    files.emplace_back(listed[i]);
+  }
+  return files;
 }
 
 Georeference RasterSource::GetGeoreference(const PostWindow& window) const
@@ -380,36 +368,63 @@ void RasterSource::Read(const PostWindow& window, void* heights, const ProgressF
     default:
       break;
   }
+  this->CheckComplaints();
 }
 
-/// Raw values to metres, in place; false when none of them is a height.
-template <typename T>
-bool RasterSource::Convert(T* heights, const unsigned char* mask, std::size_t count) const
+/// Raw values to metres, in place, counting what is no missing post; false when none is a height.
+template <typename T, typename Missing>
+bool RasterSource::Convert(
+  T* heights, const unsigned char* mask, std::size_t count, Missing& missing, HeightCensus& census)
 {
-  if constexpr (std::is_floating_point_v<T>)
+  bool any = false;
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const bool huge = this->DeclaresNodata && std::abs(this->Nodata) > HugeNodata;
-    const T nodata = this->DeclaresNodata ? static_cast<T>(this->Nodata) : T(0);
-    const double slack = huge ? HugeNodataTolerance * std::abs(this->Nodata) : 0.0;
-    bool any = false;
-    for (std::size_t i = 0; i < count; ++i)
+    const T raw = heights[i];
+    if constexpr (std::is_floating_point_v<T>)
     {
-      const T raw = heights[i];
-      const bool missing = !std::isfinite(raw) || (mask && mask[i] == 0) ||
-        (this->DeclaresNodata && raw == nodata) ||
-        (huge && std::abs(static_cast<double>(raw) - this->Nodata) <= slack);
-      heights[i] = missing ? std::numeric_limits<T>::quiet_NaN()
-                           : static_cast<T>(static_cast<double>(raw) * this->Scale + this->Offset);
-      any = any || !missing;
+      const bool declared = missing(raw);
+      if (declared || (mask && mask[i] == 0))
+      {
+        heights[i] = std::numeric_limits<T>::quiet_NaN();
+        continue;
+      }
+      census.Add(static_cast<double>(raw));
+      const double height = static_cast<double>(raw) * this->Scale + this->Offset;
+      const bool ground = std::abs(height) <= GreatestHeight;
+      heights[i] = ground ? static_cast<T>(height) : std::numeric_limits<T>::quiet_NaN();
+      any = any || ground;
     }
-    return any;
+    else
+    {
+      census.Add(static_cast<double>(raw));
+      any = true;
+    }
   }
-  else
+  return any;
+}
+
+void RasterSource::DoubtHeights(const HeightCensus& census)
+{
+  const GDALDataType type = this->Band->GetRasterDataType();
+  const HeightCensus::Findings found =
+    census.Judge("'" + this->File + "'", this->Scale, type == GDT_Float32);
+  this->Doubts.insert(this->Doubts.end(), found.Doubts.begin(), found.Doubts.end());
+  if (!found.Any || !this->Whole.HasGeoTransform || !this->Whole.Crs.empty())
   {
-    (void)heights;
-    (void)mask;
-    (void)count;
-    return true;
+    return;
+  }
+  const std::array<double, 6>& transform = this->Whole.GeoTransform;
+  const double west = transform[0], east = transform[0] + this->Columns * transform[1];
+  const double north = transform[3], south = transform[3] + this->Rows * transform[5];
+  const double relief = (found.Highest - found.Lowest) * std::abs(this->Scale);
+  if (LooksLikeDegrees(west, south, east, north, relief))
+  {
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(),
+      "looks like degrees (x %.6g to %.6g, y %.6g to %.6g) with a relief of %.6g m", west, east,
+      south, north, relief);
+    this->Doubts.push_back({ "'" + this->File + "' has no CRS and " + text.data(),
+      "x and y in metres", "gdal_edit.py -a_srs EPSG:4326" });
   }
 }
 
@@ -430,6 +445,15 @@ void RasterSource::ReadAs(const PostWindow& window, T* heights, const ProgressFu
   std::vector<T> strip(columns * static_cast<std::size_t>(stripRows));
   std::vector<unsigned char> mask(this->HasMask ? strip.size() : 0);
 
+  std::vector<double> declared = this->FurtherNodata;
+  if (this->DeclaresNodata)
+  {
+    declared.push_back(this->Nodata);
+  }
+  using Real = std::conditional_t<std::is_same_v<T, double>, double, float>;
+  MissingPosts<Real> missing(declared);
+  HeightCensus census;
+
   this->Errors.Clear(); // what happened on opening did not keep the file from opening
   bool anyHeight = false;
   for (int row = fileRow; row < fileEnd;)
@@ -448,6 +472,7 @@ void RasterSource::ReadAs(const PostWindow& window, T* heights, const ProgressFu
     }
     if (failed != CE_None || this->Errors.Any())
     {
+      this->CheckRefusal();
       throw IoFailure(vtkErrorCode::PrematureEndOfFileError,
         "cannot read row " + std::to_string(row) + " of '" + this->File +
           "': " + this->Errors.First() + "; the file may be damaged, fetch it again");
@@ -455,7 +480,8 @@ void RasterSource::ReadAs(const PostWindow& window, T* heights, const ProgressFu
 
     const std::size_t count = columns * static_cast<std::size_t>(rows);
     anyHeight =
-      this->Convert(strip.data(), this->HasMask ? mask.data() : nullptr, count) || anyHeight;
+      this->Convert(strip.data(), this->HasMask ? mask.data() : nullptr, count, missing, census) ||
+      anyHeight;
     for (int line = 0; line < rows; ++line)
     {
       const T* from = strip.data() + columns * static_cast<std::size_t>(line);
@@ -484,6 +510,16 @@ void RasterSource::ReadAs(const PostWindow& window, T* heights, const ProgressFu
     this->Refuse("all its " + std::to_string(this->Columns) + " x " + std::to_string(this->Rows) +
       " posts are missing (nodata); choose another band or file");
   }
+  for (std::size_t i = 0; whole && i < this->FurtherNodata.size(); ++i)
+  {
+    if (missing.GetFound(i) == 0)
+    {
+      this->Doubts.push_back({ "no post of '" + this->File + "' has the nodata value " +
+          HeightCensus::Text(this->FurtherNodata[i], false),
+        "no post is missing by it", "" });
+    }
+  }
+  this->DoubtHeights(census);
 }
 
 } // namespace skyline

@@ -19,6 +19,8 @@
 #include <cstdint>
 #include <exception>
 #include <limits>
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkHeightFieldPictureWriter);
 
@@ -112,6 +114,81 @@ private:
   skyline::CheckedFile File;
 };
 
+/// While one lives, OpenEXR starts no threads: it would take every processor, and its errors would not
+/// be heard. OpenImageIO's own are held back file by file, for setting their number starts some.
+class NoExrThreads
+{
+public:
+  NoExrThreads()
+  {
+    OIIO::getattribute("exr_threads", this->Before);
+    OIIO::attribute("exr_threads", -1);
+  }
+  ~NoExrThreads() { OIIO::attribute("exr_threads", this->Before); }
+  NoExrThreads(const NoExrThreads&) = delete;
+  NoExrThreads& operator=(const NoExrThreads&) = delete;
+
+private:
+  int Before = 0;
+};
+
+/// Pixels as they were handed to OpenImageIO: the first line is the picture's top.
+struct Picture
+{
+  const char* Top = nullptr;
+  OIIO::stride_t Line = 0; ///< bytes to the next line
+  OIIO::TypeDesc Source, Stored;
+  int Columns = 0, Rows = 0, Channels = 0;
+};
+
+/// Lines that are read back at a time.
+constexpr int CheckedLines = 64;
+
+/// Reads the file and compares every number. Throws IoFailure where one is another.
+template <typename Report>
+void CheckPicture(const Picture& picture, const skyline::AtomicFile& file, const Report& report)
+{
+  const std::string different =
+    "the picture is not what was written; the memory or the disk may be at fault";
+  OIIO::ImageSpec config;
+  config.attribute("oiio:UnassociatedAlpha", 1);
+  const auto input = OIIO::ImageInput::open(file.GetPath(), &config);
+  if (!input)
+  {
+    file.Fail("the picture cannot be read back: " + OIIO::geterror());
+  }
+  input->threads(1);
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.width != picture.Columns || spec.height != picture.Rows ||
+    spec.nchannels != picture.Channels || spec.format != picture.Stored)
+  {
+    file.Fail(different);
+  }
+  const int values = picture.Columns * picture.Channels;
+  const std::size_t lineBytes = static_cast<std::size_t>(values) * picture.Stored.size();
+  std::vector<char> wanted(lineBytes), stored(lineBytes * CheckedLines);
+  for (int row = 0; row < picture.Rows; row += CheckedLines)
+  {
+    const int end = std::min(row + CheckedLines, picture.Rows);
+    if (!input->read_scanlines(
+          0, 0, row, end, 0, 0, picture.Channels, picture.Stored, stored.data()))
+    {
+      file.Fail("the picture cannot be read back: " + input->geterror());
+    }
+    for (int line = row; line < end; ++line)
+    {
+      OIIO::convert_pixel_values(
+        picture.Source, picture.Top + line * picture.Line, picture.Stored, wanted.data(), values);
+      const char* found = stored.data() + static_cast<std::size_t>(line - row) * lineBytes;
+      if (!std::equal(wanted.begin(), wanted.end(), found))
+      {
+        file.Fail(different);
+      }
+    }
+    report(static_cast<double>(end) / picture.Rows);
+  }
+}
+
 OIIO::ImageSpec Describe(int columns, int rows, int channels, const OIIO::TypeDesc& type)
 {
   OIIO::ImageSpec spec(columns, rows, channels, type);
@@ -185,17 +262,19 @@ void vtkHeightFieldPictureWriter::WriteImage(vtkImageData* image, const skyline:
   const OIIO::TypeDesc source = bytes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
   const OIIO::TypeDesc stored = half ? OIIO::TypeDesc(OIIO::TypeDesc::HALF) : source;
   this->Report(0.0);
+  const NoExrThreads alone;
   CheckedProxy proxy(file.GetPath());
   const auto output = OIIO::ImageOutput::create(file.GetPath(), &proxy);
   if (!output)
   {
     file.Fail(OIIO::geterror());
   }
+  output->threads(1);
   bool written = output->open(file.GetPath(), Describe(columns, rows, channels, stored));
 
   const OIIO::stride_t line = static_cast<OIIO::stride_t>(source.size()) * channels * columns;
   const char* south = static_cast<const char*>(array->GetVoidPointer(0));
-  const auto report = [this](float part) { this->Report(part); };
+  const auto report = [this](float part) { this->Report(0.9 * part); };
   ProgressBridge<decltype(report)> progress{ report, nullptr };
   written = written &&
     output->write_image(source, south + (rows - 1) * line, OIIO::AutoStride, -line,
@@ -216,6 +295,8 @@ void vtkHeightFieldPictureWriter::WriteImage(vtkImageData* image, const skyline:
   {
     file.Fail(reason);
   }
+  CheckPicture({ south + (rows - 1) * line, -line, source, stored, columns, rows, channels }, file,
+    [this](double part) { this->Report(0.9 + 0.1 * part); });
 }
 
 // By GDAL: it keeps the georeference, and where GDAL is loaded OpenImageIO's TIFFs fail, because

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldReader.h"
 
+#include "IoFailure.h"
+#include "MemoryDemand.h"
 #include "RasterSource.h"
 #include "ReadGuard.h"
+#include "SourceFiles.h"
+#include "SourcePolicy.h"
+#include "StreamSpool.h"
 #include "vtkSkylineGeoreference.h"
+#include "vtkSkylineWarning.h"
 
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
@@ -16,10 +22,53 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+
+/// The array for a window of heights. IoFailure, with the bytes and the cure, if there is no memory.
+vtkSmartPointer<vtkDataArray> Allocate(
+  const std::string& file, const skyline::PostWindow& window, int type)
+{
+  try
+  {
+    auto heights = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+    skyline::DemandMemory("the heights", window.Columns, window.Rows, heights->GetDataTypeSize());
+    const vtkIdType posts = static_cast<vtkIdType>(window.Columns) * window.Rows;
+    heights->SetName("Elevation");
+    heights->SetNumberOfTuples(posts);
+    if (heights->GetNumberOfTuples() != posts || !heights->GetVoidPointer(0))
+    {
+      // The system promised less than was asked for.
+      skyline::DemandMemory(
+        "the heights", window.Columns, window.Rows, heights->GetDataTypeSize(), 0);
+    }
+    return heights;
+  }
+  catch (const std::runtime_error& reason)
+  {
+    throw skyline::IoFailure(
+      vtkErrorCode::UnknownError, "cannot read '" + file + "': " + reason.what());
+  }
+}
+
+} // namespace
 
 vtkStandardNewMacro(vtkHeightFieldReader);
 
+struct vtkHeightFieldReader::Inside
+{
+  std::vector<std::string> Drivers;
+  std::shared_ptr<skyline::StreamSpool> Spool;
+  std::string SpooledFile;
+};
+
 vtkHeightFieldReader::vtkHeightFieldReader()
+  : Parts(std::make_unique<Inside>())
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -27,6 +76,92 @@ vtkHeightFieldReader::vtkHeightFieldReader()
 vtkHeightFieldReader::~vtkHeightFieldReader()
 {
   this->SetFileName(nullptr);
+}
+
+void vtkHeightFieldReader::AddDriver(const char* name)
+{
+  if (name && *name)
+  {
+    this->Parts->Drivers.emplace_back(name);
+    this->Modified();
+  }
+}
+
+void vtkHeightFieldReader::AddNodata(double value)
+{
+  this->Nodata.push_back(value);
+  this->Modified();
+}
+
+void vtkHeightFieldReader::RemoveAllNodata()
+{
+  if (!this->Nodata.empty())
+  {
+    this->Nodata.clear();
+    this->Modified();
+  }
+}
+
+void vtkHeightFieldReader::RemoveAllDrivers()
+{
+  if (!this->Parts->Drivers.empty())
+  {
+    this->Parts->Drivers.clear();
+    this->Modified();
+  }
+}
+
+int vtkHeightFieldReader::GetNumberOfDrivers()
+{
+  return static_cast<int>(this->Parts->Drivers.size());
+}
+
+const char* vtkHeightFieldReader::GetDriver(int index)
+{
+  return index >= 0 && index < this->GetNumberOfDrivers()
+    ? this->Parts->Drivers[static_cast<std::size_t>(index)].c_str()
+    : nullptr;
+}
+
+skyline::SourcePolicy vtkHeightFieldReader::MakePolicy() const
+{
+  return { this->AllowNetwork, this->AllowElsewhere, this->Parts->Drivers };
+}
+
+std::string vtkHeightFieldReader::Spool(const std::string& file)
+{
+  Inside& parts = *this->Parts;
+  if (parts.SpooledFile != file)
+  {
+    parts.Spool.reset();
+  }
+  if (!skyline::StreamSpool::IsStream(file))
+  {
+    return "";
+  }
+  if (!parts.Spool)
+  {
+    parts.Spool = skyline::StreamSpool::Read(file,
+      [this]
+      {
+        this->UpdateProgress(0.0);
+        return !this->GetAbortExecute();
+      });
+    parts.SpooledFile = file;
+  }
+  return parts.Spool->GetName();
+}
+
+int vtkHeightFieldReader::GetNumberOfNodata()
+{
+  return static_cast<int>(this->Nodata.size());
+}
+
+double vtkHeightFieldReader::GetNodata(int index)
+{
+  return index >= 0 && index < this->GetNumberOfNodata()
+    ? this->Nodata[static_cast<std::size_t>(index)]
+    : std::numeric_limits<double>::quiet_NaN();
 }
 
 template <typename Work>
@@ -42,7 +177,8 @@ int vtkHeightFieldReader::RequestInformation(
   return this->Try(
     [&](const std::string& file)
     {
-      const skyline::RasterSource source(file, this->Band);
+      const skyline::RasterSource source(
+        file, this->Band, this->Nodata, this->MakePolicy(), this->Spool(file));
       const skyline::PostWindow whole = source.GetWhole();
       const int extent[6] = { 0, whole.Columns - 1, 0, whole.Rows - 1, 0, 0 };
       const double spacing[3] = { source.GetSpacing()[0], source.GetSpacing()[1], 1.0 };
@@ -65,7 +201,8 @@ int vtkHeightFieldReader::RequestData(
   const bool done = this->Try(
     [&](const std::string& file)
     {
-      skyline::RasterSource source(file, this->Band);
+      skyline::RasterSource source(
+        file, this->Band, this->Nodata, this->MakePolicy(), this->Spool(file));
       const skyline::PostWindow whole = source.GetWhole();
       int extent[6];
       info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
@@ -81,10 +218,7 @@ int vtkHeightFieldReader::RequestData(
       image->SetExtent(extent);
       image->SetSpacing(source.GetSpacing()[0], source.GetSpacing()[1], 1.0);
       image->SetOrigin(source.GetOrigin()[0], source.GetOrigin()[1], 0.0);
-      const auto heights =
-        vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(source.GetVtkType()));
-      heights->SetName("Elevation");
-      heights->SetNumberOfTuples(static_cast<vtkIdType>(window.Columns) * window.Rows);
+      const vtkSmartPointer<vtkDataArray> heights = Allocate(file, window, source.GetVtkType());
       source.Read(window, heights->GetVoidPointer(0),
         [this](double part)
         {
@@ -92,11 +226,22 @@ int vtkHeightFieldReader::RequestData(
           return !this->GetAbortExecute();
         });
 
+      for (const skyline::Doubt& doubt : source.GetDoubts())
+      {
+        skyline::Warn(this, doubt);
+      }
       image->GetPointData()->SetScalars(heights);
       skyline::StoreGeoreference(source.GetGeoreference(window), image);
+      skyline::StoreSourceFiles(source.GetFiles(), image);
       if (source.HasNodata())
       {
         skyline::StoreNodataValue(source.GetNodata(), image);
+      }
+      else if (const auto finite = std::find_if(this->Nodata.begin(), this->Nodata.end(),
+                 [](double value) { return std::isfinite(value); });
+               finite != this->Nodata.end())
+      {
+        skyline::StoreNodataValue(*finite, image);
       }
     });
   if (!done)
@@ -111,4 +256,18 @@ void vtkHeightFieldReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "Band: " << this->Band << "\n";
+  os << indent << "AllowNetwork: " << (this->AllowNetwork ? "On" : "Off") << "\n";
+  os << indent << "AllowElsewhere: " << (this->AllowElsewhere ? "On" : "Off") << "\n";
+  os << indent << "Drivers:";
+  for (const std::string& name : this->Parts->Drivers)
+  {
+    os << " " << name;
+  }
+  os << "\n";
+  os << indent << "Nodata:";
+  for (const double value : this->Nodata)
+  {
+    os << " " << value;
+  }
+  os << "\n";
 }

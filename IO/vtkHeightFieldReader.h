@@ -18,7 +18,23 @@
  * Field data carries the georeference (vtkSkylineGeoreference.h) of the extent that was delivered,
  * which is the extent asked for: only that part of the file is read. Spacing and RowSpacing are the
  * whole raster's, so that a part is what the whole has there. NodataValue is the value the file
- * declares for missing posts.
+ * declares for missing posts, else the first finite one of AddNodata.
+ *
+ * Input that may not mean what it seems to mean is read as it stands, with a warning (WarningEvent) of
+ * what was found, what is assumed, and the cure: heights that look like missing posts, no geotransform,
+ * degrees without a CRS, units that contradict each other (Documentation/input.md).
+ *
+ * A raster can name other files and servers: sources, masks, overviews. Such names are the file's and
+ * not the user's, so that only files in its own folder and below are read, by drivers of local rasters
+ * (skyline::DefaultDrivers), and nothing from the network. AllowElsewhere, AllowNetwork and AddDriver
+ * widen that; what is refused is an error that names it and the way to allow it. See
+ * Documentation/untrusted-files.md.
+ *
+ * A pipe (/vsistdin/, /dev/stdin, a named pipe) is read once, into a temporary file, for as long as
+ * the reader has that name. A pipe that nobody writes is an error after ten seconds.
+ *
+ * What GDAL could not make out on opening, a CRS for instance, is an error; what it warns about is a
+ * WarningEvent.
  *
  * A failure is one line through ErrorEvent, which names the file, the value and the cure, and an
  * error code (GetErrorCode). An abort leaves an empty output and the code vtkErrorCode::UserError.
@@ -28,6 +44,16 @@
 
 #include "SkylineIOModule.h" // for the export macro
 #include "vtkImageAlgorithm.h"
+
+#include <memory> // for the private parts
+#include <string>
+#include <vector>
+
+namespace skyline
+{
+class StreamSpool;
+struct SourcePolicy;
+} // namespace skyline
 
 class SKYLINEIO_EXPORT vtkHeightFieldReader : public vtkImageAlgorithm
 {
@@ -52,6 +78,48 @@ public:
   vtkGetMacro(Band, int);
   ///@}
 
+  ///@{
+  /**
+   * Values of missing posts besides the one that the file declares, as the band has them (before its
+   * scale and unit); any number, NaN and infinities (which are missing anyway) too. Default: none.
+   */
+  void AddNodata(double value);
+  void RemoveAllNodata();
+  int GetNumberOfNodata();
+  double GetNodata(int index);
+  ///@}
+
+  ///@{
+  /**
+   * Whether files from the network may be read: URLs, /vsicurl/, /vsis3/ and the like, whether the
+   * user named them or the file does. Default false.
+   */
+  vtkSetMacro(AllowNetwork, bool);
+  vtkGetMacro(AllowNetwork, bool);
+  vtkBooleanMacro(AllowNetwork, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the file may lead to files outside its own folder, as a virtual raster over tiles in
+   * another folder does. Default false.
+   */
+  vtkSetMacro(AllowElsewhere, bool);
+  vtkGetMacro(AllowElsewhere, bool);
+  vtkBooleanMacro(AllowElsewhere, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Further drivers of GDAL that may open the file and what it leads to, by their short names (WMS),
+   * beside those of local rasters. Drivers that read from servers need AllowNetwork too. Default none.
+   */
+  void AddDriver(const char* name);
+  void RemoveAllDrivers();
+  int GetNumberOfDrivers();
+  const char* GetDriver(int index);
+  ///@}
+
 protected:
   vtkHeightFieldReader();
   ~vtkHeightFieldReader() override;
@@ -69,8 +137,17 @@ private:
   template <typename Work>
   bool Try(const Work& work);
 
+  /// The policy, and where the bytes of a pipe are (empty: the file is none).
+  skyline::SourcePolicy MakePolicy() const;
+  std::string Spool(const std::string& file);
+
   char* FileName = nullptr;
   int Band = 1;
+  std::vector<double> Nodata;
+  bool AllowNetwork = false;
+  bool AllowElsewhere = false;
+  struct Inside;
+  std::unique_ptr<Inside> Parts;
 };
 
 #endif

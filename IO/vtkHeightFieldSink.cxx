@@ -3,6 +3,7 @@
 
 #include "AtomicFile.h"
 #include "IoFailure.h"
+#include "SourceFiles.h"
 
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
@@ -73,6 +74,7 @@ int vtkHeightFieldSink::RequestData(
     }
     vtkImageData* image = vtkImageData::GetData(inputVector[0]);
     this->Check(image);
+    skyline::RefuseOverlap(this->FileName, skyline::LoadSourceFiles(image));
     skyline::AtomicFile file(this->FileName);
     this->WriteImage(image, file);
     file.Commit();

@@ -5,7 +5,8 @@
  *
  * What the writers have in common: they take a two-dimensional vtkImageData whose row 0 is the
  * south edge, write to a temporary beside FileName and rename it on success, so that no partial
- * file ever bears the name; on failure and on abort the temporary is removed. A failure is one line
+ * file ever bears the name; on failure and on abort the temporary is removed. A file that the input
+ * was read from, as the reader's field data tell, is never replaced. A failure is one line
  * through ErrorEvent, which names the file, the value and the cure, and a code (GetErrorCode).
  * After an abort the code is vtkErrorCode::UserError and nothing is said.
  */

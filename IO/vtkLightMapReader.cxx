@@ -4,6 +4,7 @@
 #include "LightMapFile.h"
 #include "ReadGuard.h"
 #include "vtkLightMapImage.h"
+#include "vtkSkylineWarning.h"
 
 #include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
@@ -28,6 +29,41 @@ vtkLightMapReader::~vtkLightMapReader()
 {
   this->SetFileName(nullptr);
 }
+
+namespace
+{
+
+/// What was mended, if anything was.
+void DoubtPixels(
+  vtkObject* reader, const std::string& file, const skyline::LightMapDefects& defects)
+{
+  std::string found, used;
+  const auto add = [](std::string& text, const std::string& part)
+  { text += (text.empty() ? "" : ", ") + part; };
+  if (defects.Negative > 0)
+  {
+    add(found, std::to_string(defects.Negative) + " negative");
+  }
+  if (defects.NotNumbers > 0)
+  {
+    add(found, std::to_string(defects.NotNumbers) + " that are no numbers");
+  }
+  if (!found.empty())
+  {
+    used = "0 for them";
+  }
+  if (defects.Infinite > 0)
+  {
+    add(found, std::to_string(defects.Infinite) + " infinite");
+    add(used, "the greatest finite value of their channel for the infinite ones");
+  }
+  if (!found.empty())
+  {
+    skyline::Warn(reader, { "'" + file + "' has pixels that are no light: " + found, used, "" });
+  }
+}
+
+} // namespace
 
 template <typename Work>
 bool vtkLightMapReader::Try(const Work& work)
@@ -84,6 +120,7 @@ int vtkLightMapReader::RequestData(
       this->NumberOfNaNPixels = defects.NotNumbers;
       this->NumberOfInfinitePixels = defects.Infinite;
       image->GetPointData()->SetScalars(radiance);
+      DoubtPixels(this, this->FileName, defects);
     });
   if (!done)
   {

@@ -17,7 +17,12 @@
  * Tiled and mip-mapped files are read at full resolution, the first part of several. Alpha is left
  * out; one channel is grey. Pixels that an OpenEXR file leaves out of its display window are black.
  * Negative values and NaN become 0, infinite ones the channel's largest finite value; the counts
- * below say of how many pixels. A sun stays as bright as it is.
+ * below say of how many pixels, and a WarningEvent does. A sun stays as bright as it is.
+ *
+ * Only these two formats are read, by OpenImageIO's own readers of them, from regular files on the
+ * local disk: no pipe, no URL. A file with more than 4096 x 2048 pixels must have a byte for every 64
+ * of them, and none may have tiles or blocks of lines beyond 512 MB; see
+ * Documentation/untrusted-files.md.
  *
  * A failure is one line through ErrorEvent, which names the file, the value and the cure, and an
  * error code (GetErrorCode). An abort leaves an empty output and the code vtkErrorCode::UserError.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldShading.h"
 
+#include "BaseHeight.h"
 #include "ColorMaps.h"
 #include "Constants.h"
 #include "Daylight.h"
@@ -88,7 +89,10 @@ struct Terrain
   {
     double range[2];
     this->Heights->GetFiniteRange(range, 0);
-    return range[0] <= range[1] ? 0.5 * (range[0] + range[1]) : 0.0;
+    return range[0] <= range[1]
+      ? skyline::BaseHeight(this->Heights->GetNumberOfTuples(), range[0], range[1],
+          [this](std::ptrdiff_t post) { return this->Heights->GetComponent(post, 0); })
+      : 0.0;
   }
 };
 

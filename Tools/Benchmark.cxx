@@ -8,7 +8,11 @@
 #include "Report.h"
 #include "Scenes.h"
 #include "Session.h"
+#include "SourceFiles.h"
+#include "Values.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -28,6 +32,9 @@ using namespace skyline::benchmark;
 constexpr int LeastSize = 32;  // of a made scene: below, no window of posts is left
 constexpr int MostSize = 4096; // above, the truth takes longer than the methods
 
+constexpr std::array<const char*, 4> ReportFiles{ { "index.html", "results.csv", "results.json",
+  "pareto.svg" } };
+
 constexpr double MostBudget = 1e6; // seconds
 
 // As the user typed it, words with spaces in quotes.
@@ -44,14 +51,15 @@ std::string CommandLine()
   return words;
 }
 
-// Empty if it is one.
-std::string CheckBudget(const std::string& text)
+// As --sizes takes them.
+std::string Listed(const std::vector<int>& numbers)
 {
-  double seconds = 0.0;
-  const bool number = CLI::detail::lexical_cast(text, seconds);
-  return number && seconds >= 0.0 && seconds <= MostBudget
-    ? ""
-    : text + " is no time; give seconds from 0 to 1000000, as in --budget 600";
+  std::string text;
+  for (const int number : numbers)
+  {
+    text += (text.empty() ? "" : ",") + std::to_string(number);
+  }
+  return text;
 }
 
 // The folder of the report; one that was made here goes again unless it was filled.
@@ -135,10 +143,18 @@ struct BenchmarkCommand
     {
       this->Options.Scenes.clear();
     }
+    else if (std::count(this->Options.Scenes.begin(), this->Options.Scenes.end(), "none") > 0)
+    {
+      throw skyline::WrongUsage("--scenes: none goes with no other scene; leave it out");
+    }
     if (this->Options.Scenes.empty() && this->Options.Rasters.empty())
     {
-      throw skyline::Failure(
+      throw skyline::WrongUsage(
         "nothing to measure: no scene and no DEM; name a DEM or leave --scenes none out");
+    }
+    for (const char* name : ReportFiles)
+    {
+      skyline::RefuseOverlap((fs::path(this->Folder) / name).string(), this->Options.Rasters);
     }
     ReportFolder folder(this->Folder);
     const bool shown = !this->Talk.Quiet && isatty(STDERR_FILENO) != 0;
@@ -208,12 +224,12 @@ void AddBenchmark(CLI::App& program)
     ->delimiter(',')
     ->allow_extra_args(false)
     ->type_name("NAME,...")
-    ->check(CLI::IsMember(scenes));
+    ->check(OneOf(scenes));
   app->add_option("--methods", command->Options.Kinds, "Methods, separated by commas. Default: all")
     ->delimiter(',')
     ->allow_extra_args(false)
     ->type_name("NAME,...")
-    ->check(CLI::IsMember(Kinds()));
+    ->check(OneOf(Kinds()));
   std::vector<std::string> quantities;
   for (const Quantity& quantity : Quantities())
   {
@@ -225,21 +241,30 @@ void AddBenchmark(CLI::App& program)
     ->delimiter(',')
     ->allow_extra_args(false)
     ->type_name("NAME,...")
-    ->check(CLI::IsMember(quantities));
+    ->check(OneOf(quantities));
+  std::vector<int>& sizes = command->Options.Sizes;
   app
-    ->add_option("--sizes", command->Options.Sizes,
+    ->add_option_function<std::vector<std::string>>(
+      "--sizes",
+      [&sizes](const std::vector<std::string>& texts)
+      {
+        sizes.clear();
+        for (const std::string& text : texts)
+        {
+          sizes.push_back(static_cast<int>(*ReadNumber(text)));
+        }
+      },
       "Posts of a side of the made scenes, separated by commas; 32 to 4096")
     ->delimiter(',')
     ->allow_extra_args(false)
     ->type_name("N,...")
-    ->check(CLI::Range(LeastSize, MostSize))
-    ->capture_default_str();
-  app
-    ->add_option("--budget", command->Options.Budget,
-      "Seconds after which no measurement begins; what matters most is measured first")
-    ->type_name("SECONDS")
-    ->check(CheckBudget, "")
-    ->capture_default_str();
+    ->check(
+      CLI::Validator([](std::string& text) { return WhyNotWhole(text, LeastSize, MostSize); }, ""))
+    ->default_str(Listed(sizes));
+  AddNumber(*app, "--budget", command->Options.Budget,
+    { "seconds from 0 to 1000000, as in --budget 600", 0.0, MostBudget },
+    "Seconds after which no measurement begins; what matters most is measured first")
+    ->type_name("SECONDS");
   app->add_flag("-q,--quiet", command->Talk.Quiet, "No progress, no last line");
   app->callback([command] { command->Run(CommandLine()); });
 }

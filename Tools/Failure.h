@@ -16,6 +16,15 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// The command line itself is wrong, whatever the files hold: a value out of range, or options that do
+/// not go together. The program prints the reason with the command whose help tells more, and exits
+/// with 2.
+class WrongUsage : public Failure
+{
+public:
+  using Failure::Failure;
+};
+
 } // namespace skyline
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "AtomicFile.h"
 #include "Failure.h"
+#include "SourceFiles.h"
 #include "vtkSkylineGeoreference.h"
 
 #include "vtkAlgorithm.h"
@@ -23,7 +24,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <system_error>
+#include <limits>
 
 namespace
 {
@@ -94,16 +95,76 @@ vtkSmartPointer<vtkImageData> WithAlpha(vtkImageData* image)
   return copy;
 }
 
-// The middle post or two of `count`, and a neighbour more where one would be alone.
-void Middle(int count, int& first, int& last)
+// Posts from the middle within which a height is looked for.
+constexpr int FirstReach = 8;
+constexpr int MostReach = 512;
+
+// The middle post or two of `count`, and `reach` on both sides; never one alone.
+void Middle(int count, int reach, int& first, int& last)
 {
   first = (count - 1) / 2;
   last = count / 2;
-  if (first == last && count > 2)
+  const int more = std::max(reach, first == last ? 1 : 0);
+  first = std::max(first - more, 0);
+  last = std::min(last + more, count - 1);
+}
+
+// The least of both spacings, metres.
+double LeastStep(vtkImageData* terrain)
+{
+  return std::min(terrain->GetSpacing()[0], terrain->GetSpacing()[1]);
+}
+
+// The height of the post nearest to the middle that has one, and its distance in metres; 0 and infinity
+// where none lies within MostReach columns and rows.
+double NearestHeight(vtkImageData* terrain, double& height)
+{
+  const int* size = terrain->GetDimensions();
+  const double* spacing = terrain->GetSpacing();
+  vtkDataArray* heights = terrain->GetPointData()->GetScalars();
+  const int column = size[0] / 2, row = size[1] / 2;
+  double least = std::numeric_limits<double>::infinity();
+  height = 0.0;
+  const auto look = [&](int i, int j)
   {
-    --first;
-    ++last;
+    if (i < 0 || j < 0 || i >= size[0] || j >= size[1])
+    {
+      return;
+    }
+    const double found = heights->GetComponent(static_cast<vtkIdType>(j) * size[0] + i, 0);
+    const double away = std::hypot((i - column) * spacing[0], (j - row) * spacing[1]);
+    if (std::isfinite(found) && away < least)
+    {
+      least = away;
+      height = found;
+    }
+  };
+  // Square after square, until no post of a further one can be nearer.
+  const double step = LeastStep(terrain);
+  for (int ring = 0; ring <= MostReach && ring * step < least; ++ring)
+  {
+    for (int k = -ring; k <= ring; ++k)
+    {
+      look(column + k, row - ring);
+      look(column + k, row + ring);
+      look(column - ring, row + k);
+      look(column + ring, row + k);
+    }
   }
+  return least;
+}
+
+vtkSmartPointer<vtkHeightFieldReader> MakeReader(const skyline::TerrainOptions& options)
+{
+  auto reader = vtkSmartPointer<vtkHeightFieldReader>::New();
+  reader->SetFileName(options.File.c_str());
+  reader->SetBand(options.Band);
+  for (const double value : options.Nodata)
+  {
+    reader->AddNodata(value);
+  }
+  options.Sources.Apply(reader.Get());
+  return reader;
 }
 
 } // namespace
@@ -111,23 +172,30 @@ void Middle(int count, int& first, int& last)
 namespace skyline
 {
 
-vtkSmartPointer<vtkImageData> ReadTerrain(const TerrainOptions& options, const Talk& talk)
+vtkSmartPointer<vtkImageData> ReadTerrain(
+  const TerrainOptions& options, const Talk& talk, const std::string& output)
 {
-  vtkNew<vtkHeightFieldReader> reader;
-  reader->SetFileName(options.File.c_str());
-  reader->SetBand(options.Band);
+  const auto reader = MakeReader(options);
   RunPass(reader, "read", talk);
+  if (!output.empty())
+  {
+    RefuseOverlap(output, LoadSourceFiles(reader->GetOutput()));
+  }
   return reader->GetOutput();
 }
 
-Center CenterOf(vtkImageData* terrain)
+Center CenterOf(vtkImageData* terrain, const Talk& talk)
 {
   Center center;
   center.Place = LoadGeoreference(terrain);
   const int* size = terrain->GetDimensions();
-  const vtkIdType post = static_cast<vtkIdType>(size[1] / 2) * size[0] + size[0] / 2;
-  const double height = terrain->GetPointData()->GetScalars()->GetComponent(post, 0);
-  center.Height = std::isfinite(height) ? height : 0.0;
+  if (std::isinf(NearestHeight(terrain, center.Height)))
+  {
+    PrintWarning(Doubt{ "no post within " + std::to_string(MostReach) +
+                     " posts of the DEM's centre has a height",
+                   "a height of 0 m there", "" },
+      talk);
+  }
   if (center.Place.OnBody())
   {
     center.Place.LonLatAt(
@@ -139,30 +207,34 @@ Center CenterOf(vtkImageData* terrain)
 
 Center ReadCenter(const TerrainOptions& options, const Talk& talk)
 {
-  vtkNew<vtkHeightFieldReader> reader;
-  reader->SetFileName(options.File.c_str());
-  reader->SetBand(options.Band);
-  RunPass(reader, "read", talk,
-    [&]
+  const auto reader = MakeReader(options);
+  int whole[6] = { 0, 0, 0, 0, 0, 0 };
+  // A part that is missing altogether is no error of the reader, so the part can grow.
+  for (int reach = 0; reach <= MostReach; reach = reach == 0 ? FirstReach : 8 * reach)
+  {
+    RunPass(reader, "read", talk,
+      [&]
+      {
+        reader->UpdateInformation();
+        reader->GetOutputInformation(0)->Get(
+          vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+        int extent[6] = { 0, 0, 0, 0, 0, 0 };
+        Middle(whole[1] + 1, reach, extent[0], extent[1]);
+        Middle(whole[3] + 1, reach, extent[2], extent[3]);
+        reader->UpdateExtent(extent);
+      });
+    double height = 0.0;
+    if (NearestHeight(reader->GetOutput(), height) <= reach * LeastStep(reader->GetOutput()))
     {
-      reader->UpdateInformation();
-      int whole[6];
-      reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-      int extent[6] = { 0, 0, 0, 0, 0, 0 };
-      Middle(whole[1] + 1, extent[0], extent[1]);
-      Middle(whole[3] + 1, extent[2], extent[3]);
-      reader->UpdateExtent(extent);
-    });
-  return CenterOf(reader->GetOutput());
+      break; // what lies outside the part is no nearer
+    }
+  }
+  return CenterOf(reader->GetOutput(), talk);
 }
 
-void CheckOutput(const std::string& output, const std::string& input)
+void CheckOutput(const std::string& output, const std::vector<std::string>& inputs)
 {
-  std::error_code none;
-  if (std::filesystem::equivalent(output, input, none))
-  {
-    throw Failure("cannot write '" + output + "': it is the DEM itself; choose another name");
-  }
+  RefuseOverlap(output, inputs);
   const AtomicFile probe(output); // throws where nothing can be written
 }
 
@@ -199,7 +271,8 @@ PictureFormat FormatOf(const std::string& file)
   {
     return PictureFormat::Tiff;
   }
-  throw Failure("cannot write '" + file + "': a picture's name ends in .png, .exr or .tif");
+  throw WrongUsage(
+    "--output: cannot write '" + file + "': a picture's name ends in .png, .exr or .tif");
 }
 
 void WritePicture(

@@ -2,6 +2,7 @@
 #include "Commands.h"
 
 #include "Files.h"
+#include "IdleOptions.h"
 #include "Options.h"
 
 #include "vtkHeightFieldHorizon.h"
@@ -20,11 +21,14 @@ struct HorizonCommand
   skyline::HorizonOptions Horizon;
   skyline::Talk Talk;
 
+  void Check(const skyline::IdleOptions& options) const { this->Horizon.RefuseIdle(options); }
+
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    skyline::CheckOutput(this->Output.File, this->Terrain.File);
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File });
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
+    this->Horizon.WarnIdle(terrain, this->Talk);
 
     vtkNew<vtkHeightFieldHorizon> horizon;
     horizon->SetInputData(terrain);
@@ -52,7 +56,12 @@ void AddHorizon(CLI::App& program)
   command->Output.AddTo(*app, "GeoTIFF to write");
   command->Horizon.AddTo(*app);
   AddTalk(*app, command->Talk);
-  app->callback([command] { command->Run(); });
+  app->callback(
+    [command, app]
+    {
+      command->Check(IdleOptions(*app));
+      command->Run();
+    });
 }
 
 } // namespace skyline

@@ -6,6 +6,7 @@
 
 #include <csignal>
 
+#include <sys/time.h>
 #include <unistd.h>
 
 namespace
@@ -13,24 +14,54 @@ namespace
 
 volatile std::sig_atomic_t Caught = 0;
 
-// Only what POSIX allows in a signal handler.
+// In a signal handler too: only what POSIX allows there.
+void EndBy(int number)
+{
+  std::signal(number, SIG_DFL);
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, number);
+  ::pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+  (void)std::raise(number);
+  ::_exit(128 + number); // as a shell reports it
+}
+
 extern "C" void GiveUp(int)
 {
   skyline::RemoveTemporaries();
   constexpr char text[] = "skyline: interrupted\n";
   const ssize_t ignored = ::write(STDERR_FILENO, text, sizeof(text) - 1);
   (void)ignored;
-  ::_exit(1);
+  EndBy(Caught);
 }
 
-extern "C" void Remember(int signal)
+extern "C" void Remember(int number)
 {
   if (Caught != 0)
   {
-    GiveUp(signal);
+    GiveUp(number);
   }
-  Caught = 1;
-  ::alarm(skyline::InterruptPatience);
+  Caught = number;
+  const itimerval patience{ { 0, 0 }, { 0, skyline::InterruptPatience * 1000 } };
+  ::setitimer(ITIMER_REAL, &patience, nullptr);
+}
+
+extern "C" void EndTidily(int number)
+{
+  skyline::RemoveTemporaries();
+  EndBy(number);
+}
+
+void Catch(int number, void (*handler)(int))
+{
+  struct sigaction now = {};
+  if (::sigaction(number, nullptr, &now) == 0 && now.sa_handler != SIG_IGN)
+  {
+    now = {};
+    now.sa_handler = handler;
+    now.sa_flags = SA_RESTART;
+    ::sigaction(number, &now, nullptr);
+  }
 }
 
 } // namespace
@@ -40,11 +71,20 @@ namespace skyline
 
 void CatchInterrupts()
 {
-  for (int signal : { SIGINT, SIGTERM, SIGHUP })
+  for (const int number : { SIGINT, SIGTERM, SIGHUP })
   {
-    std::signal(signal, Remember);
+    Catch(number, Remember);
   }
+  for (const int number : { SIGQUIT, SIGPIPE })
+  {
+    Catch(number, EndTidily);
+  }
+  // The clock of our patience is ours, whatever it was for the program that started us.
   std::signal(SIGALRM, GiveUp);
+  sigset_t alarm;
+  sigemptyset(&alarm);
+  sigaddset(&alarm, SIGALRM);
+  ::sigprocmask(SIG_UNBLOCK, &alarm, nullptr);
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
@@ -58,6 +98,14 @@ void StopIfInterrupted()
   if (Interrupted())
   {
     throw Failure("interrupted");
+  }
+}
+
+void EndIfInterrupted()
+{
+  if (Interrupted())
+  {
+    EndBy(Caught);
   }
 }
 

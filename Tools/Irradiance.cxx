@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands.h"
 
-#include "Failure.h"
 #include "Files.h"
+#include "IdleOptions.h"
 #include "Lights.h"
 #include "Options.h"
+#include "Values.h"
 
 #include "vtkHeightFieldIrradiance.h"
 #include "vtkImageData.h"
@@ -35,11 +36,58 @@ struct IrradianceCommand
   bool Horizontal = false;
   skyline::Talk Talk;
 
+  // The sky that shines; a uniform one where the user asked for no light.
+  skyline::SkyKind Kind() const
+  {
+    const bool others = this->Lights.Sun.Asked() || !this->Lights.Lamps.empty();
+    return this->Lights.Environment.empty() && others
+      ? skyline::SkyKind::None
+      : skyline::KindOfSky(this->Lights.Environment);
+  }
+
+  void Check(const skyline::IdleOptions& options) const
+  {
+    using skyline::SkyKind;
+    const SkyKind kind = this->Kind();
+    const bool sun = this->Lights.Sun.Asked();
+    const bool harmonics = this->Method == "sh";
+    this->Horizon.RefuseIdle(options);
+    this->Lights.RefuseIdle(options, kind, sun, true);
+    options.Refuse(harmonics, { "--quadrature", "--no-refinement" },
+      "only the method table has it; leave it out, or add --method table");
+    options.Refuse(harmonics, { "--limb-darkening" },
+      "the method sh blurs the sun beyond it; leave it out, or add --method table");
+    options.Refuse(
+      !harmonics, { "--bands" }, "only the method sh has them; leave it out, or add --method sh");
+    const bool lampsAlone = kind == SkyKind::None && !sun;
+    options.Refuse(lampsAlone && harmonics, { "--method" },
+      "lamps are no matter of sh; leave it out, or give a sky or a sun");
+    options.Refuse(lampsAlone, { "--horizon", "--tolerance" },
+      "lamps alone need no horizons; leave it out, or give a sky or a sun");
+    const bool drawn = sun && this->Lights.Sun.Radius.value_or(0.0) > skyline::LargestSun;
+    options.Refuse(lampsAlone || (!harmonics && kind == SkyKind::None && !drawn),
+      { "--azimuths", "--quadrature", "--no-refinement" },
+      "only a sky is spread over azimuths, a sun or lamp has its own; leave it out, or give a sky by "
+      "--environment");
+    options.Refuse((kind == SkyKind::Uniform || kind == SkyKind::Zonal) && !drawn,
+      { "--no-refinement" }, "this sky is bright all around and is not refined; leave it out");
+  }
+
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    skyline::CheckOutput(this->Output.File, this->Terrain.File);
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File, this->Lights.Environment });
+    this->Lights.Sun.WarnOfZone(this->Talk);
+    if (this->Kind() == skyline::SkyKind::Formula && !this->Lights.Sun.Asked())
+    {
+      skyline::PrintWarning(skyline::Doubt{ "the sky " + this->Lights.Environment +
+                                " is brighter about the sun, and no sun is given",
+                              "its sun at azimuth 315, elevation 45", "--sun AZ,EL" },
+        this->Talk);
+    }
+    this->Lights.WarnOfTurnedSky(this->Kind(), this->Talk);
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
+    this->Horizon.WarnIdle(terrain, this->Talk);
     vtkNew<vtkHeightFieldIrradiance> light;
     light->SetInputData(terrain);
     light->SetNumberOfAzimuths(this->Horizon.Azimuths);
@@ -86,7 +134,7 @@ void AddIrradiance(CLI::App& program)
     ->add_option("--method", command->Method,
       "table: light integrated exactly above the horizon of each azimuth;\n"
       "sh: spherical harmonics, a fast preview that blurs suns")
-    ->check(CLI::IsMember({ "table", "sh" }))
+    ->check(OneOf({ "table", "sh" }))
     ->type_name("NAME")
     ->capture_default_str();
   app->add_flag("--horizontal", command->Horizontal, "Irradiance of a level plate at the post");
@@ -94,18 +142,22 @@ void AddIrradiance(CLI::App& program)
     ->add_option("--quadrature", command->Quadrature,
       "Method table, between azimuths. constant: each horizon stands for its swath;\n"
       "blend: light is weighted between the two; linear: horizons are linear")
-    ->check(CLI::IsMember({ "constant", "blend", "linear" }))
+    ->check(OneOf({ "constant", "blend", "linear" }))
     ->type_name("NAME")
     ->capture_default_str();
   app->add_flag("--no-refinement", command->NoRefinement,
     "Method table: no further azimuths where the environment is bright");
-  app->add_option("--bands", command->Bands, "Bands of method sh, 2 to 8")
-    ->check(CLI::Range(2, 8))
-    ->type_name("N")
-    ->capture_default_str();
-  command->Horizon.AddTo(*app, true, "--horizon");
+  AddWhole(*app, "--bands", command->Bands, 2, 8, "Bands of method sh, 2 to 8")->type_name("N");
+  HorizonNeeds needs;
+  needs.Method = "--horizon";
+  command->Horizon.AddTo(*app, needs);
   AddTalk(*app, command->Talk);
-  app->callback([command] { command->Run(); });
+  app->callback(
+    [command, app]
+    {
+      command->Check(IdleOptions(*app));
+      command->Run();
+    });
 }
 
 } // namespace skyline

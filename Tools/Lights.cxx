@@ -2,8 +2,9 @@
 #include "Lights.h"
 
 #include "Constants.h"
-#include "Failure.h"
 #include "Files.h"
+#include "IdleOptions.h"
+#include "Values.h"
 
 #include "vtkImageData.h"
 #include "vtkLightMapReader.h"
@@ -16,60 +17,56 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace
 {
 
-// Discs beyond this radius, degrees, are key lights: their parts have different cosines.
-constexpr double LargestSun = 3.0;
-
-// The numbers of a list with commas; false if any part is none.
-bool ParseNumbers(const std::string& text, std::vector<double>& numbers)
+std::string CheckColor(const std::string& text)
 {
-  numbers.clear();
-  std::size_t begin = 0;
-  while (begin <= text.size())
+  const auto numbers = skyline::ReadNumbers(text);
+  const std::string cure = "; give one number or R,G,B, 0 or more";
+  if (!numbers)
   {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    double number = 0.0;
-    if (!CLI::detail::lexical_cast(text.substr(begin, end - begin), number) ||
-      !std::isfinite(number))
-    {
-      return false;
-    }
-    numbers.push_back(number);
-    begin = end + 1;
+    return skyline::WhyNoNumbers(text) + cure;
   }
-  return !numbers.empty();
+  const bool fine = (numbers->size() == 1 || numbers->size() == 3) &&
+    *std::min_element(numbers->begin(), numbers->end()) >= 0.0;
+  return fine ? "" : text + " is no light" + cure;
 }
 
-bool StartsWith(const std::string& text, const char* start)
+std::string CheckLamp(const std::string& text)
 {
-  return text.rfind(start, 0) == 0;
+  const auto numbers = skyline::ReadNumbers(text);
+  const std::string cure = "; give X,Y,Z,RADIUS or X,Y,Z,RADIUS,R,G,B";
+  if (!numbers)
+  {
+    return skyline::WhyNoNumbers(text) + cure;
+  }
+  if (numbers->size() != 4 && numbers->size() != 7)
+  {
+    return text + " has " + std::to_string(numbers->size()) + " numbers" + cure;
+  }
+  return *std::min_element(numbers->begin() + 3, numbers->end()) < 0.0
+    ? text + " has a radius or radiance below 0; give 0 or more"
+    : "";
 }
 
-std::string CheckColor(std::string& text)
+std::array<double, 3> ReadColor(const std::string& text)
 {
-  std::vector<double> numbers;
-  const bool fine = ParseNumbers(text, numbers) && (numbers.size() == 1 || numbers.size() == 3) &&
-    *std::min_element(numbers.begin(), numbers.end()) >= 0.0;
-  return fine ? "" : "needs one number or R,G,B, 0 or more, not " + text;
-}
-
-std::string CheckLamp(std::string& text)
-{
-  std::vector<double> numbers;
-  const bool fine = ParseNumbers(text, numbers) && (numbers.size() == 4 || numbers.size() == 7);
-  return fine ? "" : "needs X,Y,Z,RADIUS or X,Y,Z,RADIUS,R,G,B, not " + text;
-}
-
-std::array<double, 3> ParseColor(const std::string& text)
-{
-  std::vector<double> numbers;
-  ParseNumbers(text, numbers);
+  const auto numbers = *skyline::ReadNumbers(text);
   return numbers.size() == 3 ? std::array<double, 3>{ { numbers[0], numbers[1], numbers[2] } }
                              : std::array<double, 3>{ { numbers[0], numbers[0], numbers[0] } };
 }
+
+// Any angle: turns add nothing, and far from 0 a float holds no degrees any more.
+double Turned(double degrees)
+{
+  return std::fmod(degrees, 360.0);
+}
+
+const skyline::Limits AnyAngle{ "an angle in degrees", -std::numeric_limits<double>::max(),
+  std::numeric_limits<double>::max() };
 
 using LightPointer = vtkSmartPointer<vtkSkylineLight>;
 
@@ -78,24 +75,23 @@ vtkSmartPointer<vtkSkylineEnvironmentLight> MakeEnvironment(
 {
   const std::string& name = options.Environment;
   auto light = vtkSmartPointer<vtkSkylineEnvironmentLight>::New();
-  light->SetRotation(options.Rotation);
+  light->SetRotation(Turned(options.Rotation));
   light->SetSunAzimuth(sun.SkyAzimuth);
   light->SetSunElevation(sun.ApparentElevation);
-  std::vector<double> numbers;
-  if (StartsWith(name, "cie:"))
+  int type = 0;
+  double direct = 0.0, diffuse = 0.0;
+  if (skyline::CieType(name, type))
   {
-    ParseNumbers(name.substr(4), numbers);
     light->SetSourceToCie();
-    light->SetCieType(static_cast<int>(numbers[0]));
+    light->SetCieType(type);
   }
-  else if (StartsWith(name, "perez:"))
+  else if (skyline::PerezIrradiances(name, direct, diffuse))
   {
-    ParseNumbers(name.substr(6), numbers);
     light->SetSourceToPerez();
-    light->SetDirectIrradiance(numbers[0]);
-    light->SetDiffuseIrradiance(numbers[1]);
+    light->SetDirectIrradiance(direct);
+    light->SetDiffuseIrradiance(diffuse);
   }
-  else if (name != "uniform" && !name.empty())
+  else if (skyline::KindOfSky(name) == skyline::SkyKind::Map)
   {
     vtkNew<vtkLightMapReader> reader;
     reader->SetFileName(name.c_str());
@@ -108,7 +104,7 @@ vtkSmartPointer<vtkSkylineEnvironmentLight> MakeEnvironment(
 LightPointer MakeSun(const skyline::SunOptions& options, const skyline::SunLight& sun,
   const std::array<double, 3>& irradiance)
 {
-  if (sun.Radius > LargestSun)
+  if (sun.Radius > skyline::LargestSun)
   {
     auto light = vtkSmartPointer<vtkSkylineKeyLight>::New();
     light->SetAzimuth(sun.GridAzimuth);
@@ -124,7 +120,7 @@ LightPointer MakeSun(const skyline::SunOptions& options, const skyline::SunLight
   light->SetElevation(sun.ApparentElevation);
   light->SetAngularRadius(sun.Radius);
   light->SetIrradiance(irradiance[0], irradiance[1], irradiance[2]);
-  light->SetTrueRadius(options.Radius == skyline::TrueRadius);
+  light->SetTrueRadius(!options.Radius);
   light->SetUseTime(sun.FromTime);
   light->SetTime(options.Time.c_str());
   light->SetLimbDarkening(options.LimbDarkening);
@@ -134,8 +130,7 @@ LightPointer MakeSun(const skyline::SunOptions& options, const skyline::SunLight
 LightPointer MakeLamp(
   const std::string& text, vtkImageData* terrain, const skyline::Georeference& place)
 {
-  std::vector<double> numbers;
-  ParseNumbers(text, numbers);
+  const std::vector<double> numbers = *skyline::ReadNumbers(text);
   double x = numbers[0], y = numbers[1];
   if (place.HasGeoTransform)
   {
@@ -157,32 +152,15 @@ LightPointer MakeLamp(
   return light;
 }
 
-CLI::Validator Checked(std::string (*check)(std::string&))
-{
-  return CLI::Validator(check, "");
-}
-
 } // namespace
 
 namespace skyline
 {
 
-std::string CheckEnvironment(std::string& name)
+std::optional<std::array<double, 3>> AskedSunIrradiance(const LightOptions& options)
 {
-  std::vector<double> numbers;
-  if (StartsWith(name, "cie:"))
-  {
-    const bool fine = ParseNumbers(name.substr(4), numbers) && numbers.size() == 1 &&
-      numbers[0] >= 1.0 && numbers[0] <= 16.0 && numbers[0] == std::floor(numbers[0]);
-    return fine ? "" : "no sky named " + name + "; CIE skies are cie:1 to cie:16";
-  }
-  if (StartsWith(name, "perez:"))
-  {
-    const bool fine = ParseNumbers(name.substr(6), numbers) && numbers.size() == 2 &&
-      numbers[0] >= 0.0 && numbers[1] > 0.0;
-    return fine ? "" : "needs perez:DIRECT,DIFFUSE in W/m2, diffuse above 0, not " + name;
-  }
-  return "";
+  return options.SunIrradiance.empty() ? std::nullopt
+                                       : std::make_optional(ReadColor(options.SunIrradiance));
 }
 
 void LightOptions::AddTo(CLI::App& command)
@@ -198,19 +176,21 @@ void LightOptions::AddTo(CLI::App& command)
     ->type_name("FILE|NAME")
     ->check(Checked(CheckEnvironment));
   this->Sun.AddTo(command);
-  this->AddLampsTo(command);
+  this->AddLampsTo(command, false);
 }
 
-void LightOptions::AddLampsTo(CLI::App& command)
+void LightOptions::AddLampsTo(CLI::App& command, bool picture)
 {
-  command
-    .add_option("--rotation", this->Rotation,
-      "Degrees by which the environment is turned clockwise: its north comes to this azimuth")
-    ->type_name("DEG")
-    ->capture_default_str();
+  AddNumber(command, "--rotation", this->Rotation, AnyAngle,
+    "Degrees by which a light map, or a sky that is brighter about the sun, is turned clockwise: its\n"
+    "north comes to this azimuth")
+    ->type_name("DEG");
   command
     .add_option("--sun-irradiance", this->SunIrradiance,
-      "Of the sun of --time or --sun on a plane that faces it. Default 1, with perez: DIRECT")
+      picture
+        ? "Of the sun on a plane that faces it. Default: that of the day, by which level open ground\n"
+          "gets pi of sun and sky; under a light map 1, with perez: DIRECT"
+        : "Of the sun of --time or --sun on a plane that faces it. Default 1, with perez: DIRECT")
     ->type_name("E|R,G,B")
     ->check(Checked(CheckColor));
   command
@@ -224,13 +204,43 @@ void LightOptions::AddLampsTo(CLI::App& command)
     ->check(Checked(CheckLamp));
 }
 
+void LightOptions::RefuseIdle(
+  const IdleOptions& options, SkyKind kind, bool sunShines, bool keyLight) const
+{
+  this->Sun.RefuseIdle(options);
+  options.Refuse(kind == SkyKind::Perez && !this->Sun.Asked(), { "--environment" },
+    "perez is a sky of the sun; give the sun by --sun AZ,EL or --time");
+  options.Refuse(kind == SkyKind::None || kind == SkyKind::Uniform || kind == SkyKind::Zonal,
+    { "--rotation" },
+    "this sky is the same all around; leave it out, or give a light map by --environment");
+  options.Refuse(!sunShines, { "--sun-irradiance", "--sun-radius", "--limb-darkening" },
+    "no sun shines; give one by --sun AZ,EL or --time, or leave it out");
+  options.Refuse(keyLight && this->Sun.Radius.value_or(0.0) > LargestSun, { "--limb-darkening" },
+    "a sun with a radius above " + NumberText(LargestSun) +
+      " degrees shines as a key light, without a limb; leave it out");
+}
+
+void LightOptions::WarnOfTurnedSky(SkyKind kind, const Talk& talk) const
+{
+  const auto irradiance = AskedSunIrradiance(*this);
+  const bool shines = !irradiance || *irradiance != std::array<double, 3>{};
+  if (shines && Turned(this->Rotation) != 0.0 &&
+    (kind == SkyKind::Formula || kind == SkyKind::Perez))
+  {
+    PrintWarning(Doubt{ "--rotation turns the sky " + this->Environment +
+                     ", which is brighter about the sun, away from the sun that shines",
+                   "a sky that does not belong to the sun", "" },
+      talk);
+  }
+}
+
 std::vector<LightPointer> MakeLights(
   const LightOptions& options, vtkImageData* terrain, const Talk& talk)
 {
-  const Center center = CenterOf(terrain);
+  const Center center = CenterOf(terrain, talk);
   const SunLight sun = FindSun(options.Sun, center.Place, center.Height);
-  const bool sunAsked = !options.Sun.Time.empty() || !options.Sun.Direction.empty();
-  const bool perez = StartsWith(options.Environment, "perez:");
+  const bool sunAsked = options.Sun.Asked();
+  const bool perez = KindOfSky(options.Environment) == SkyKind::Perez;
   std::vector<LightPointer> lights;
   std::array<double, 3> irradiance{ { 1.0, 1.0, 1.0 } };
   if (!options.Environment.empty() || !(sunAsked || !options.Lamps.empty()))
@@ -239,10 +249,7 @@ std::vector<LightPointer> MakeLights(
     irradiance.fill(perez ? environment->GetDirectIrradiance() : 1.0);
     lights.emplace_back(environment);
   }
-  if (!options.SunIrradiance.empty())
-  {
-    irradiance = ParseColor(options.SunIrradiance);
-  }
+  irradiance = AskedSunIrradiance(options).value_or(irradiance);
   if (sunAsked || perez)
   {
     lights.push_back(MakeSun(options.Sun, sun, irradiance));

@@ -4,12 +4,15 @@
 #define skyline_Lights_h
 
 #include "Options.h"
+#include "SkyNames.h"
 #include "SunLight.h"
 
 #include "vtkSmartPointer.h"
 
 #include <CLI/CLI.hpp>
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,11 +33,21 @@ struct LightOptions
   void AddTo(CLI::App& command);
 
   /// --rotation, --sun-irradiance and --lamp alone.
-  void AddLampsTo(CLI::App& command);
+  void AddLampsTo(CLI::App& command, bool picture = true);
+
+  /// Throws WrongUsage for options that cannot act under a sky of this kind; before any work. `sunShines`:
+  /// a sun is among the lights; `keyLight`: a wide one is a key light, which has no limb.
+  void RefuseIdle(const IdleOptions& options, SkyKind kind, bool sunShines, bool keyLight) const;
+
+  /// Warns where --rotation parts a sky from its sun.
+  void WarnOfTurnedSky(SkyKind kind, const Talk& talk) const;
 };
 
-/// What is wrong with the text of an --environment; empty: nothing, or a file, which is met later.
-std::string CheckEnvironment(std::string& name);
+/// Irradiance on a plane that faces the sun, of an --sun-irradiance; none: not given.
+std::optional<std::array<double, 3>> AskedSunIrradiance(const LightOptions& options);
+
+/// Discs beyond this radius, degrees, are key lights: their parts have different cosines.
+constexpr double LargestSun = 3.0;
 
 /// The lights over a terrain; a uniform sky if the user asked for none. Reads the light map, told as
 /// a pass. Throws Failure with a one-line reason.

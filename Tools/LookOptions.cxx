@@ -2,14 +2,23 @@
 #include "LookOptions.h"
 
 #include "ColorMaps.h"
-#include "Failure.h"
-#include "Lights.h"
+#include "SkyNames.h"
+#include "Values.h"
 
-#include <cmath>
 #include <vector>
 
 namespace
 {
+
+constexpr const char* Automatic = "auto";
+
+const skyline::Limits ExposureLimits{ "auto, or stops from -100 to 100", -100.0, 100.0 };
+const skyline::Limits ExaggerationLimits{ "a number above 0, up to 1000", 0.0, 1000.0, true };
+
+std::string CheckExposure(const std::string& text)
+{
+  return text == Automatic ? "" : skyline::WhyNotWithin(text, ExposureLimits);
+}
 
 std::vector<std::string> MapNames()
 {
@@ -41,14 +50,6 @@ LookOptions::LookOptions()
 {
 }
 
-void LookOptions::Check() const
-{
-  if (!(this->Exaggeration > 0.0 && this->Exaggeration <= 1000.0))
-  {
-    throw Failure("exaggeration is out of range: above 0, up to 1000");
-  }
-}
-
 void LookOptions::AddSkyTo(CLI::App& command)
 {
   command
@@ -59,47 +60,27 @@ void LookOptions::AddSkyTo(CLI::App& command)
       "none: black; FILE.hdr, FILE.exr: a light map, alone or with the sun of --sun or --time;\n"
       "perez:DIRECT,DIFFUSE: Perez's sky and its sun, W/m2")
     ->type_name("NAME|FILE")
-    ->check(CLI::Validator(
-      [](std::string& name)
-      {
-        if (name == "uniform" || name == "none" || name.rfind("cie:", 0) == 0 ||
-          name.rfind("perez:", 0) == 0 || name.find('.') != std::string::npos)
-        {
-          return CheckEnvironment(name);
-        }
-        return "no sky named " + name +
-          "; use uniform, none, cie:1 to cie:16, perez:DIRECT,DIFFUSE or a file's name";
-      },
-      ""))
+    ->check(Checked(CheckSky))
     ->capture_default_str();
 }
 
 void LookOptions::AddTo(CLI::App& command)
 {
   command.add_option("--colors", this->Colors, MapHelp())
-    ->check(CLI::IsMember(MapNames()))
+    ->check(OneOf(MapNames()))
     ->type_name("NAME")
     ->capture_default_str();
   command
-    .add_option("--exposure", this->Exposure,
+    .add_option_function<std::string>(
+      "--exposure", [this](const std::string& text) { this->Exposure = ReadNumber(text); },
       "auto, or stops: 0 shows level open ground as its colour, +1 twice as bright.\nHowever "
       "bright, nothing burns out")
     ->type_name("EV")
-    ->check(CLI::Validator(
-      [](std::string& text)
-      {
-        double stops;
-        return text == "auto" || (CLI::detail::lexical_cast(text, stops) && std::isfinite(stops))
-          ? std::string()
-          : "needs auto or a number, not " + text;
-      },
-      ""))
-    ->capture_default_str();
-  command
-    .add_option("--exaggeration", this->Exaggeration,
-      "Factor on heights, in shading and shadows alike; above 0, up to 1000")
-    ->type_name("F")
-    ->capture_default_str();
+    ->check(Checked(CheckExposure))
+    ->default_str(Automatic);
+  AddNumber(command, "--exaggeration", this->Exaggeration, ExaggerationLimits,
+    "Factor on heights, in shading and shadows alike; above 0, up to 1000")
+    ->type_name("F");
 }
 
 } // namespace skyline

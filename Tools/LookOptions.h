@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
 
 namespace skyline
@@ -17,13 +18,10 @@ struct LookOptions
 
   std::string Environment = "uniform";
   std::string Colors;
-  std::string Exposure = "auto";
+  std::optional<double> Exposure; ///< stops; none: automatic
   double Exaggeration = 1.0;
   void AddSkyTo(CLI::App& command); ///< --environment alone
   void AddTo(CLI::App& command);    ///< the others
-
-  /// Throws Failure for numbers out of range; before any work.
-  void Check() const;
 };
 
 } // namespace skyline

@@ -1,27 +1,101 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program `skyline`: horizons, sky view and shadows of rasters of heights.
 #include "Commands.h"
+#include "Failure.h"
 #include "Interrupt.h"
 #include "IoFailure.h"
 #include "Passes.h"
+#include "Values.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace
 {
 
 constexpr int RuntimeFailure = 1;
-constexpr int WrongUsage = 2;
+constexpr int UsageFailure = 2;
 
 int Fail(const std::string& reason, int code)
 {
   std::fprintf(stderr, "skyline: %s\n", skyline::FirstLine(reason).c_str());
   return code;
+}
+
+/// What an empty value says, of an option whose shell variable was not set.
+std::string WhyEmpty(const std::string& text)
+{
+  return text.empty()
+    ? "the value is empty (a variable that is not set?); give one, or leave it out"
+    : "";
+}
+
+// The option that is written `--name=` and nothing behind it, which CLI11 would give the next word;
+// empty: none.
+std::string EmptyOption(int argc, char** argv)
+{
+  for (int k = 1; k < argc && std::strcmp(argv[k], "--") != 0; ++k)
+  {
+    const std::string word = argv[k];
+    if (word.rfind("--", 0) == 0 && word.find('=') == word.size() - 1)
+    {
+      return word.substr(0, word.size() - 1);
+    }
+  }
+  return "";
+}
+
+void RefuseEmptyValues(CLI::App& program)
+{
+  for (CLI::App* command : program.get_subcommands({}))
+  {
+    for (CLI::Option* option : command->get_options())
+    {
+      if (option->get_items_expected_max() > 0) // no flag
+      {
+        // Before all other checks.
+        option->transform(CLI::Validator([](std::string& text) { return WhyEmpty(text); }, ""));
+      }
+    }
+  }
+}
+
+// What is wrong with the words that nothing took; empty: nothing.
+std::string WhyExtra(const CLI::App& program, const CLI::App* command)
+{
+  const std::vector<std::string> extra = (command ? *command : program).remaining();
+  const auto option = std::find_if(
+    extra.begin(), extra.end(), [](const std::string& word) { return word.rfind('-', 0) == 0; });
+  std::vector<std::string> names;
+  if (!command && !extra.empty() && option != extra.begin())
+  {
+    for (const CLI::App* known : program.get_subcommands({}))
+    {
+      names.push_back(known->get_name());
+    }
+    return "there is no command " + extra[0] + skyline::DidYouMean(extra[0], names);
+  }
+  if (option != extra.end())
+  {
+    const std::string word = option->substr(0, option->find('='));
+    for (const CLI::Option* known : (command ? *command : program).get_options())
+    {
+      for (const std::string& name : known->get_lnames())
+      {
+        names.push_back("--" + name);
+      }
+    }
+    return word + " is no option" + (command ? " of " + command->get_name() : "") +
+      skyline::DidYouMean(word, names);
+  }
+  return extra.empty() ? "" : extra[0] + " is one word too many";
 }
 
 int Run(int argc, char** argv)
@@ -40,8 +114,21 @@ int Run(int argc, char** argv)
   skyline::AddShade(program);
   skyline::AddView(program);
   skyline::AddBenchmark(program);
+  RefuseEmptyValues(program);
+  const auto refuse = [&](const std::string& reason)
+  {
+    const auto chosen = program.get_subcommands(
+      [&](const CLI::App* known) { return argc > 1 && known->get_name() == argv[1]; });
+    const std::string command = chosen.empty() ? "" : " " + chosen[0]->get_name();
+    return Fail(reason + " (see skyline" + command + " --help)", UsageFailure);
+  };
   try
   {
+    const std::string empty = EmptyOption(argc, argv);
+    if (!empty.empty())
+    {
+      return refuse(empty + ": " + WhyEmpty(""));
+    }
     program.parse(argc, argv); // runs the command
   }
   catch (const CLI::Success& wish) // --help, --version
@@ -50,16 +137,20 @@ int Run(int argc, char** argv)
   }
   catch (const CLI::ParseError& error)
   {
-    return Fail(std::string(error.what()) + " (see skyline --help)", WrongUsage);
+    const auto chosen = program.get_subcommands();
+    const std::string extra = WhyExtra(program, chosen.empty() ? nullptr : chosen[0]);
+    return refuse(extra.empty() ? error.what() : extra);
+  }
+  catch (const skyline::WrongUsage& error)
+  {
+    return refuse(error.what());
   }
   return 0;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+// Also says what went wrong.
+int StatusOf(int argc, char** argv)
 {
-  skyline::CatchInterrupts();
   try
   {
     return Run(argc, argv);
@@ -72,4 +163,14 @@ int main(int argc, char** argv)
   {
     return Fail(error.what(), RuntimeFailure);
   }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  skyline::CatchInterrupts();
+  const int status = StatusOf(argc, argv);
+  skyline::EndIfInterrupted();
+  return status;
 }

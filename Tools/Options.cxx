@@ -1,7 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options.h"
 
-#include "Failure.h"
+#include "IdleOptions.h"
+#include "Values.h"
+#include "vtkSkylineGeoreference.h"
+
+#include "vtkImageData.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <limits>
+#include <vector>
+
+namespace
+{
+
+constexpr int MostAzimuths = 3600;
+constexpr int MostThreads = 4096;
+
+// Near hot ground k was measured down to about -5. Far below -100 all terrain would sink away.
+const skyline::Limits RefractionLimits{ "-100 to below 1, 0.13 in usual air", -100.0, 1.0, false,
+  true };
+
+// A name without an extension may be a device.
+std::string CheckRasterName(const std::string& name)
+{
+  std::string extension = std::filesystem::path(name).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return extension.empty() || extension == ".tif" || extension == ".tiff"
+    ? ""
+    : "cannot write '" + name + "': rasters are written as GeoTIFF; end the name in .tif";
+}
+
+} // namespace
 
 namespace skyline
 {
@@ -11,73 +44,128 @@ void TerrainOptions::AddTo(CLI::App& command)
   command.add_option("DEM", this->File, "Raster of heights: any file that GDAL opens")
     ->required()
     ->type_name("");
-  command.add_option("--band", this->Band, "Band of the raster, from 1")
-    ->type_name("N")
-    ->capture_default_str();
+  AddWhole(
+    command, "--band", this->Band, 1, std::numeric_limits<int>::max(), "Band of the raster, from 1")
+    ->type_name("N");
+  command
+    .add_option("--nodata", this->Nodata,
+      "Posts of this value have no height, besides those that the file declares missing: any number\n"
+      "as the file has it, before scale and unit; may be repeated")
+    ->type_name("V")
+    ->type_size(1)
+    ->allow_extra_args(false);
+  this->Sources.AddTo(command);
 }
 
-void OutputOptions::AddTo(CLI::App& command, const std::string& what, bool required)
+void SourceOptions::AddTo(CLI::App& command)
 {
-  command.add_option("-o,--output", this->File, what)->required(required)->type_name("FILE");
+  command.add_flag("--allow-network", this->AllowNetwork,
+    "Let the DEM be on a server, or lead to one (URLs, /vsicurl/, /vsis3/ ...)");
+  command.add_flag("--allow-elsewhere", this->AllowElsewhere,
+    "Let the DEM lead to files outside its own folder, as a VRT over tiles in another folder does");
+  command
+    .add_option("--driver", this->Drivers,
+      "Let this driver of GDAL (WMS, WCS ...) open the DEM too, beside those of local rasters;\n"
+      "may be repeated")
+    ->type_name("NAME")
+    ->type_size(1)
+    ->allow_extra_args(false);
+}
+
+void OutputOptions::AddTo(CLI::App& command, const std::string& what, bool required, bool raster)
+{
+  CLI::Option* file =
+    command.add_option("-o,--output", this->File, what)->required(required)->type_name("FILE");
+  if (raster)
+  {
+    file->check(Checked(CheckRasterName));
+  }
   command.add_flag("--cloud-optimized", this->CloudOptimized,
     "Write a cloud-optimized GeoTIFF: tiled, with overviews");
 }
 
-void HorizonOptions::AddTo(CLI::App& command, bool azimuths, const char* method)
+void HorizonOptions::AddTo(CLI::App& command, const HorizonNeeds& needs)
 {
-  if (azimuths)
+  this->MethodName = needs.Method;
+  if (needs.Azimuths)
   {
-    command
-      .add_option("--azimuths", this->Azimuths,
-        "Azimuths around every post, evenly spaced clockwise from grid north; 1 to 3600")
-      ->type_name("N")
-      ->capture_default_str();
+    AddWhole(command, "--azimuths", this->Azimuths, 1, MostAzimuths,
+      "Azimuths around every post, evenly spaced clockwise from grid north; 1 to 3600")
+      ->type_name("N");
+  }
+  std::vector<std::string> methods{ "exact", "fast", "sweep" };
+  if (!needs.Heights)
+  {
+    methods.emplace_back("pyramid");
   }
   command
-    .add_option(method, this->Method,
-      "exact: every edge of the surface counts;\nfast: up to 0.25 degrees lower than exact;\n"
-      "sweep: line sweeps, resampled to the posts, off by degrees at places;\n"
-      "pyramid: smoothed heights, for soft shadows; off by a degree, none below 0")
-    ->check(CLI::IsMember({ "exact", "fast", "sweep", "pyramid" }))
+    .add_option(needs.Method, this->Method,
+      needs.Heights
+        ? "exact: every edge of the surface counts; fast: the same here;\n"
+          "sweep: the recurrence of Lee & Kim, off by metres"
+        : "exact: every edge of the surface counts;\nfast: up to 0.25 degrees lower than exact, by how much depends on the "
+          "processor;\n"
+          "sweep: line sweeps, resampled to the posts, off by degrees at places;\n"
+          "pyramid: smoothed heights, for soft shadows; off by a degree, none below 0")
+    ->check(OneOf(methods))
     ->type_name("NAME")
     ->capture_default_str();
-  command
-    .add_option("--surface", this->Surface,
-      "Surface through the posts. triangles: cells split from south-west to north-east;\n"
-      "bilinear: bilinear cells; not with methods sweep and pyramid")
-    ->check(CLI::IsMember({ "triangles", "bilinear" }))
-    ->type_name("NAME")
-    ->capture_default_str();
+  if (!needs.Heights)
+  {
+    command
+      .add_option("--surface", this->Surface,
+        "Surface through the posts. triangles: cells split from south-west to north-east;\n"
+        "bilinear: bilinear cells, with methods exact and fast")
+      ->check(OneOf({ "triangles", "bilinear" }))
+      ->type_name("NAME")
+      ->capture_default_str();
+  }
   command.add_flag(
     "--flat", this->Flat, "Ignore the curvature of the body (a raster without CRS is flat anyway)");
-  command
-    .add_option("--refraction", this->Refraction,
-      "Terrestrial refraction, on the Earth alone: the Earth's radius over that of a light ray;\n"
-      "below 1")
-    ->type_name("K")
-    ->capture_default_str();
-  command
-    .add_option("--tolerance", this->Tolerance,
-      "Degrees by which method exact may fall short of the horizon, for speed; 0 to 90")
-    ->type_name("DEG")
-    ->capture_default_str();
+  AddNumber(command, "--refraction", this->Refraction, RefractionLimits,
+    "Terrestrial refraction, on the Earth alone: the Earth's radius over that of a light ray;\n"
+    "-100 to below 1. Default: " +
+      NumberText(TerrestrialRefraction))
+    ->type_name("K");
+  if (!needs.Heights)
+  {
+    AddNumber(command, "--tolerance", this->Tolerance, { "0 to 90 degrees", 0.0, 90.0 },
+      "Degrees by which method exact may fall short of the horizon, for speed; 0 to 90.\n"
+      "Above 0, what is found within them depends on the processor")
+      ->type_name("DEG");
+  }
 }
 
-void HorizonOptions::Check() const
+void HorizonOptions::RefuseIdle(const IdleOptions& options) const
 {
-  if (!(this->Tolerance >= 0.0 && this->Tolerance <= 90.0))
+  const bool triangles = this->Method == "sweep" || this->Method == "pyramid";
+  options.Refuse(triangles && this->Surface != "triangles", { "--surface" },
+    this->Surface + " is not a surface of " + this->Method +
+      "; leave it out, or find horizons by " + this->MethodName + " exact or fast");
+  options.Refuse(this->Method != "exact", { "--tolerance" },
+    "only the method exact has one; leave it out, or find horizons by " + this->MethodName +
+      " exact");
+  options.Refuse(
+    this->Flat, { "--refraction" }, "there is none with --flat; leave one of the two out");
+}
+
+void HorizonOptions::WarnIdle(vtkImageData* terrain, const Talk& talk) const
+{
+  const Georeference place = LoadGeoreference(terrain);
+  if (this->Refraction && !(place.OnBody() && place.Earth))
   {
-    throw Failure("the tolerance is out of range; give 0 to 90 degrees");
+    const std::string where = place.OnBody() ? "the DEM lies on another body"
+                                             : "the DEM has no CRS that places it on a body";
+    PrintWarning(
+      Doubt{ "--refraction acts on the Earth alone, and " + where, "no refraction", "" }, talk);
   }
 }
 
 void AddTalk(CLI::App& command, Talk& talk)
 {
-  command
-    .add_option("--threads", talk.Threads, "Threads; 0: one a processor. Results do not differ")
-    ->type_name("N")
-    ->check(CLI::Range(0, 4096))
-    ->capture_default_str();
+  AddWhole(command, "--threads", talk.Threads, 0, MostThreads,
+    "Threads; 0: one a processor. Results do not differ")
+    ->type_name("N");
   command.add_flag("-q,--quiet", talk.Quiet, "No progress bar and no warnings");
   command.add_flag("-v,--verbose", talk.Verbose, "Print the passes that ran and their times");
 }

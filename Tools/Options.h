@@ -8,16 +8,44 @@
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
+#include <vector>
+
+class vtkImageData;
 
 namespace skyline
 {
 
-/// DEM, --band: what is read.
+class IdleOptions;
+
+/// --allow-network, --allow-elsewhere, --driver: what a file may lead to.
+struct SourceOptions
+{
+  bool AllowNetwork = false;
+  bool AllowElsewhere = false;
+  std::vector<std::string> Drivers;
+  void AddTo(CLI::App& command);
+
+  template <typename Reader>
+  void Apply(Reader* reader) const
+  {
+    reader->SetAllowNetwork(this->AllowNetwork);
+    reader->SetAllowElsewhere(this->AllowElsewhere);
+    for (const std::string& name : this->Drivers)
+    {
+      reader->AddDriver(name.c_str());
+    }
+  }
+};
+
+/// DEM, --band, --nodata, and the options of sources: what is read.
 struct TerrainOptions
 {
   std::string File;
   int Band = 1;
+  std::vector<double> Nodata; ///< besides the file's own
+  SourceOptions Sources;
   void AddTo(CLI::App& command);
 };
 
@@ -26,7 +54,15 @@ struct OutputOptions
 {
   std::string File;
   bool CloudOptimized = false;
-  void AddTo(CLI::App& command, const std::string& what, bool required = true);
+  void AddTo(CLI::App& command, const std::string& what, bool required = true, bool raster = true);
+};
+
+/// What a command wants to know about horizons.
+struct HorizonNeeds
+{
+  bool Azimuths = true; ///< --azimuths
+  bool Heights = false; ///< shadow heights: no pyramid, no other surface, no tolerance
+  const char* Method = "--method";
 };
 
 /// --azimuths, --method, --surface, --flat, --refraction, --tolerance: how horizons are found.
@@ -36,28 +72,32 @@ struct HorizonOptions
   std::string Method = "exact";
   std::string Surface = "triangles";
   bool Flat = false;
-  double Refraction = TerrestrialRefraction;
+  std::optional<double> Refraction; ///< none: TerrestrialRefraction
   double Tolerance = 0.0;
-  void AddTo(CLI::App& command, bool azimuths = true, const char* method = "--method");
+  void AddTo(CLI::App& command, const HorizonNeeds& needs = {});
 
-  /// Sets the properties that all filters of horizons share. Throws Failure for values out of
-  /// range.
+  /// Throws WrongUsage for options that cannot act; before any work.
+  void RefuseIdle(const IdleOptions& options) const;
+
+  /// Warns of options that cannot act on this terrain.
+  void WarnIdle(vtkImageData* terrain, const Talk& talk) const;
+
+  /// Sets the properties that all filters of horizons share.
   template <typename Filter>
   void Apply(Filter* filter) const
   {
-    this->Check();
     filter->SetMethod(this->Method == "exact" ? Filter::EXACT
         : this->Method == "fast"              ? Filter::FAST
         : this->Method == "sweep"             ? Filter::SWEEP
                                               : Filter::PYRAMID);
     filter->SetSurface(this->Surface == "triangles" ? Filter::TRIANGLES : Filter::BILINEAR);
     filter->SetFlat(this->Flat);
-    filter->SetRefractionCoefficient(this->Refraction);
+    filter->SetRefractionCoefficient(this->Refraction.value_or(TerrestrialRefraction));
     filter->SetTolerance(this->Tolerance);
   }
 
 private:
-  void Check() const; // the filters clamp
+  std::string MethodName = "--method";
 };
 
 /// --quiet, --verbose, --threads.

@@ -20,6 +20,9 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <mutex>
 #include <set>
 #include <thread>
 #include <vector>
@@ -107,6 +110,33 @@ private:
   int Percent = -1;
 };
 
+// How many threads of `wanted` the system gives us, the one that runs included.
+int CountThreads(int wanted)
+{
+  std::mutex gate;
+  std::vector<std::thread> others;
+  {
+    const std::lock_guard<std::mutex> closed(gate); // so that none ends before the last has begun
+    try
+    {
+      others.reserve(static_cast<std::size_t>(wanted));
+      while (static_cast<int>(others.size()) + 1 < wanted)
+      {
+        others.emplace_back([&gate] { const std::lock_guard<std::mutex> lock(gate); });
+      }
+    }
+    catch (const std::exception&)
+    {
+      // No more threads, or no memory for one.
+    }
+  }
+  for (std::thread& other : others)
+  {
+    other.join();
+  }
+  return static_cast<int>(others.size()) + 1;
+}
+
 // Hears one algorithm.
 class Watch : public vtkCommand
 {
@@ -147,12 +177,20 @@ void PrepareVtk(const Talk& talk)
   vtkNew<SilentWindow> window;
   vtkOutputWindow::SetInstance(window);
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-  if (talk.Threads > 0)
+  // More threads than processors gain nothing, and TBB would say so on the terminal.
+  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int wanted = talk.Threads > 0 ? std::min(talk.Threads, processors) : processors;
+  const int threads = CountThreads(wanted);
+  if (threads == 1)
   {
-    // More threads than processors gain nothing, and TBB would say so on the terminal.
-    const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    vtkSMPTools::Initialize(std::min(talk.Threads, processors));
+    vtkSMPTools::SetBackend("Sequential"); // TBB ends a program that gets no thread
   }
+  else if (threads < processors)
+  {
+    vtkSMPTools::Initialize(threads);
+  }
+  // What Mesa starts where it draws on the processor.
+  ::setenv("LP_NUM_THREADS", std::to_string(threads == 1 ? 0 : threads).c_str(), 0);
 }
 
 void PrintWarning(const std::string& text, const Talk& talk)

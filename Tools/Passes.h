@@ -22,7 +22,8 @@ struct Talk
   int Threads = 0;      ///< 0: all processors
 };
 
-/// Sends VTK's own messages to us instead of the terminal, and sets the number of threads. Once.
+/// Sends VTK's own messages to us instead of the terminal, and sets the number of threads: as many as
+/// are asked for, processors there are and the system gives, at least the one that runs. Once.
 void PrepareVtk(const Talk& talk);
 
 /// Updates an algorithm whose inputs are up to date. Draws a progress bar named `title` on standard

@@ -6,6 +6,7 @@
 #include "OffscreenWindow.h"
 #include "TerrainActors.h"
 #include "ToneMap.h"
+#include "Values.h"
 
 #include "vtkCamera.h"
 #include "vtkHeightFieldSurface.h"
@@ -31,24 +32,31 @@ constexpr int Samples = 2;
 /// With Samples, the largest framebuffer of any OpenGL.
 constexpr int LargestSide = 8192;
 
-// Two numbers with a separator between them and nothing else.
-template <typename Number>
-bool ReadPair(const std::string& text, char separator, Number& first, Number& second)
+std::string CheckSize(const std::string& text)
 {
-  const std::size_t middle = text.find(separator);
-  return middle != std::string::npos && CLI::detail::lexical_cast(text.substr(0, middle), first) &&
-    CLI::detail::lexical_cast(text.substr(middle + 1), second);
+  const std::string cure = "; give WxH, 1x1 to " + std::to_string(LargestSide) + "x" +
+    std::to_string(LargestSide) + " pixels";
+  const auto sides = skyline::ReadNumbers(text, 'x');
+  if (!sides || sides->size() != 2 || (*sides)[0] != std::floor((*sides)[0]) ||
+    (*sides)[1] != std::floor((*sides)[1]))
+  {
+    return text + " is no size" + cure;
+  }
+  const auto [least, most] = std::minmax((*sides)[0], (*sides)[1]);
+  return least < 1.0 || most > LargestSide ? text + " is out of range" + cure : "";
 }
 
-bool ReadSize(const std::string& text, int& width, int& height)
+std::string CheckFrom(const std::string& text)
 {
-  return ReadPair(text, 'x', width, height);
-}
-
-bool ReadDirection(const std::string& text, double& azimuth, double& elevation)
-{
-  return ReadPair(text, ',', azimuth, elevation) && std::isfinite(azimuth) &&
-    std::isfinite(elevation);
+  const auto numbers = skyline::ReadNumbers(text);
+  if (!numbers || numbers->size() != 2)
+  {
+    return (numbers ? text + " is no direction" : skyline::WhyNoNumbers(text)) +
+      "; give two numbers AZ,EL";
+  }
+  return (*numbers)[1] < 0.0 || (*numbers)[1] > 90.0
+    ? "elevation " + skyline::NumberText((*numbers)[1]) + " is out of range; give 0 to 90 degrees"
+    : "";
 }
 
 // The means of blocks of samples, in linear light.
@@ -101,52 +109,22 @@ void PerspectiveOptions::AddTo(CLI::App& command)
     .add_option("--from", this->From,
       "Perspective: where the viewer stands, azimuth and elevation seen from the terrain, degrees")
     ->type_name("AZ,EL")
-    ->check(CLI::Validator(
-      [](std::string& text)
-      {
-        double azimuth;
-        double elevation;
-        return ReadDirection(text, azimuth, elevation) ? std::string()
-                                                       : "needs two numbers AZ,EL, not " + text;
-      },
-      ""))
+    ->check(Checked(CheckFrom))
     ->capture_default_str();
   command.add_option("--size", this->Size, "Perspective: width and height of the picture, pixels")
     ->type_name("WxH")
-    ->check(CLI::Validator(
-      [](std::string& text)
-      {
-        int width;
-        int height;
-        return ReadSize(text, width, height) ? std::string() : "needs two numbers WxH, not " + text;
-      },
-      ""))
+    ->check(Checked(CheckSize))
     ->capture_default_str();
-}
-
-void PerspectiveOptions::Check() const
-{
-  int width = 0;
-  int height = 0;
-  ReadSize(this->Size, width, height);
-  if (width < 1 || height < 1 || width > LargestSide || height > LargestSide)
-  {
-    throw Failure("the size is out of range: 1x1 to " + std::to_string(LargestSide) + "x" +
-      std::to_string(LargestSide));
-  }
-  double azimuth = 0.0;
-  double elevation = 0.0;
-  ReadDirection(this->From, azimuth, elevation);
-  if (!(elevation >= 0.0 && elevation <= 90.0))
-  {
-    throw Failure("the viewer's elevation is out of range: 0 to 90 degrees");
-  }
 }
 
 void PerspectiveOptions::Read(int& width, int& height, double& azimuth, double& elevation) const
 {
-  ReadSize(this->Size, width, height);
-  ReadDirection(this->From, azimuth, elevation);
+  const auto size = *ReadNumbers(this->Size, 'x');
+  width = static_cast<int>(size[0]);
+  height = static_cast<int>(size[1]);
+  const auto from = *ReadNumbers(this->From);
+  azimuth = std::fmod(from[0], 360.0);
+  elevation = from[1];
 }
 
 vtkSmartPointer<vtkImageData> DrawPerspective(vtkImageData* terrain, const PerspectiveLight& light,
@@ -160,7 +138,8 @@ vtkSmartPointer<vtkImageData> DrawPerspective(vtkImageData* terrain, const Persp
   }
   int width = 0;
   int height = 0;
-  ReadSize(options.Size, width, height);
+  Standpoint standpoint;
+  options.Read(width, height, standpoint.Azimuth, standpoint.Elevation);
 
   const auto surface = MakeMesh(terrain, MostMeshPosts);
   RunPass(surface, "mesh", talk);
@@ -180,8 +159,6 @@ vtkSmartPointer<vtkImageData> DrawPerspective(vtkImageData* terrain, const Persp
   renderer->AddActor(MakeActor(mapper, 1.0));
   renderer->AddActor(MakeActor(wall, SkirtColor));
   PaintSky(renderer, light.SkyRadiance, light.Exposure);
-  Standpoint standpoint;
-  ReadDirection(options.From, standpoint.Azimuth, standpoint.Elevation);
   standpoint.Aspect = static_cast<double>(width) / height;
   FitCamera(renderer->GetActiveCamera(), { mesh->GetPoints(), skirt->GetOutput()->GetPoints() },
     standpoint);

@@ -24,9 +24,6 @@ struct PerspectiveOptions
   std::string Size = "1600x1000";
   void AddTo(CLI::App& command);
 
-  /// Throws Failure for numbers out of range; before any work.
-  void Check() const;
-
   /// The texts as numbers: pixels, degrees.
   void Read(int& width, int& height, double& azimuth, double& elevation) const;
 };

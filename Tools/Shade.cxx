@@ -4,12 +4,14 @@
 #include "Daylight.h"
 #include "Failure.h"
 #include "Files.h"
+#include "IdleOptions.h"
 #include "Lights.h"
 #include "LookOptions.h"
 #include "Options.h"
 #include "Perspective.h"
+#include "SkyNames.h"
 #include "SunLight.h"
-#include "ZonalSky.h"
+#include "Values.h"
 
 #include "vtkDataArray.h"
 #include "vtkHeightFieldIrradiance.h"
@@ -25,20 +27,14 @@
 #include "vtkSkylineSunLight.h"
 #include "vtkTrivialProducer.h"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace
 {
-
-// The number of a sky of CIE S 011, written cie:N.
-bool CieType(const std::string& name, int& type)
-{
-  return name.rfind("cie:", 0) == 0 && CLI::detail::lexical_cast(name.substr(4), type) &&
-    type >= 1 && type <= 16;
-}
 
 struct ShadeCommand
 {
@@ -83,7 +79,7 @@ struct ShadeCommand
   const char* ViewSky(vtkSmartPointer<vtkImageData>& terrain) const
   {
     int type = 0;
-    if (CieType(this->Look.Environment, type))
+    if (skyline::CieType(this->Look.Environment, type))
     {
       vtkNew<vtkHeightFieldSkyLight> light;
       light->SetCieType(type);
@@ -110,42 +106,44 @@ struct ShadeCommand
 
   void SetExposure(vtkHeightFieldShading* shading) const
   {
-    if (this->Look.Exposure != "auto")
+    if (this->Look.Exposure)
     {
-      double stops = 0.0;
-      CLI::detail::lexical_cast(this->Look.Exposure, stops);
       shading->AutoExposureOff();
-      shading->SetExposure(stops);
+      shading->SetExposure(*this->Look.Exposure);
     }
   }
 
-  void CheckOptions(skyline::PictureFormat format) const
+  void Check(const skyline::IdleOptions& options) const
   {
-    if (this->View == "perspective")
+    using skyline::PictureFormat;
+    using skyline::SkyKind;
+    const PictureFormat format = skyline::FormatOf(this->Output.File);
+    if (this->View == "perspective" && format != PictureFormat::Png)
     {
-      this->Perspective.Check();
-      if (format != skyline::PictureFormat::Png)
-      {
-        throw skyline::Failure("a perspective picture's name ends in .png");
-      }
+      throw skyline::WrongUsage("--output: a perspective picture's name ends in .png");
     }
-    this->Look.Check();
+    options.Refuse(this->View != "perspective", { "--size", "--from" },
+      "a map has a pixel a post, seen from above; leave it out, or add --view perspective");
+    options.Refuse(format != PictureFormat::Tiff, { "--cloud-optimized" },
+      "only a GeoTIFF can be; leave it out, or name the output .tif");
+    options.Refuse(format == PictureFormat::Exr, { "--exposure" },
+      "an .exr holds light before exposure; leave it out, or name the output .png or .tif");
+    const SkyKind kind = this->Kind();
+    this->Horizon.RefuseIdle(options);
+    skyline::LightOptions lights = this->Lights;
+    lights.Sun = this->Sun;
+    lights.RefuseIdle(options, kind, kind != SkyKind::Map || this->Sun.Asked(), this->Measured());
+    options.Refuse(kind == SkyKind::None, { "--azimuths" },
+      "a black sky needs none; leave it out, or give another --environment");
   }
+
+  skyline::SkyKind Kind() const { return skyline::KindOfSky(this->Look.Environment); }
 
   // A light map or a measured sky shines as bright as it is, with a sun only if one is asked for.
-  bool Measured() const
-  {
-    int type = 0;
-    return this->Look.Environment != "uniform" && this->Look.Environment != "none" &&
-      !CieType(this->Look.Environment, type);
-  }
+  bool Measured() const { return skyline::IsMeasured(this->Kind()); }
 
   // A sky by formula that depends on the sun.
-  bool Formula() const
-  {
-    int type = 0;
-    return CieType(this->Look.Environment, type) && !skyline::ZonalSky::Knows(type);
-  }
+  bool Formula() const { return this->Kind() == skyline::SkyKind::Formula; }
 
   // Adds the array Irradiance of what sun and sky arrays do not hold: light maps, skies that are
   // not the same all around (with the sky's colour), lamps. False if there is none.
@@ -179,15 +177,35 @@ struct ShadeCommand
     return true;
   }
 
+  // The sun's own light in place of the day's; none for a sun that is down, however strong.
+  void ReplaceSun(const std::array<double, 3>& irradiance, skyline::Daylight& light) const
+  {
+    if (skyline::Luminance(light.SunIrradiance) > 0.0f)
+    {
+      std::transform(irradiance.begin(), irradiance.end(), light.SunIrradiance.begin(),
+        [](double part) { return static_cast<float>(part); });
+      return;
+    }
+    skyline::PrintWarning(
+      skyline::Doubt{
+        "--sun-irradiance is given, and the sun is below the horizon", "no light of the sun", "" },
+      this->Talk);
+  }
+
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
     const skyline::PictureFormat format = skyline::FormatOf(this->Output.File);
-    this->CheckOptions(format);
-    skyline::CheckOutput(this->Output.File, this->Terrain.File);
+    this->Sun.WarnOfZone(this->Talk);
+    skyline::LightOptions lights = this->Lights;
+    lights.Environment = this->Look.Environment;
+    lights.WarnOfTurnedSky(this->Kind(), this->Talk);
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File, this->Look.Environment });
 
-    const auto terrain = this->Exaggerate(skyline::ReadTerrain(this->Terrain, this->Talk));
-    const skyline::Center center = skyline::CenterOf(terrain);
+    const auto terrain =
+      this->Exaggerate(skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File));
+    this->Horizon.WarnIdle(terrain, this->Talk);
+    const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
     const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
 
     const bool air = !center.Place.OnBody() || center.Place.Earth;
@@ -196,6 +214,10 @@ struct ShadeCommand
     if (this->Measured())
     {
       light = skyline::Daylight{};
+    }
+    else if (const auto asked = skyline::AskedSunIrradiance(this->Lights))
+    {
+      this->ReplaceSun(*asked, light);
     }
     if (skyline::Luminance(light.SunIrradiance) > 0.0f)
     {
@@ -255,7 +277,7 @@ void AddShade(CLI::App& program)
     "picture (sRGB, 8 bit; .tif with its\nplace on the map), .exr the linear light before "
     "exposure.");
   command->Terrain.AddTo(*app);
-  command->Output.AddTo(*app, "Picture to write: .png, .exr or .tif");
+  command->Output.AddTo(*app, "Picture to write: .png, .exr or .tif", true, false);
   command->Sun.AddTo(*app);
   command->Look.AddSkyTo(*app);
   command->Lights.AddLampsTo(*app);
@@ -264,13 +286,18 @@ void AddShade(CLI::App& program)
     ->add_option("--view", command->View,
       "map: seen from above, one pixel a post;\n"
       "perspective: seen from beside, drawn by OpenGL, without a window system where EGL is at hand")
-    ->check(CLI::IsMember({ "map", "perspective" }))
+    ->check(OneOf({ "map", "perspective" }))
     ->type_name("NAME")
     ->capture_default_str();
   command->Perspective.AddTo(*app);
   command->Horizon.AddTo(*app);
   AddTalk(*app, command->Talk);
-  app->callback([command] { command->Run(); });
+  app->callback(
+    [command, app]
+    {
+      command->Check(IdleOptions(*app));
+      command->Run();
+    });
 }
 
 } // namespace skyline

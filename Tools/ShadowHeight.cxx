@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands.h"
 
-#include "Failure.h"
 #include "Files.h"
+#include "IdleOptions.h"
 #include "Options.h"
 #include "SunLight.h"
 
@@ -26,16 +26,27 @@ struct ShadowHeightCommand
   bool Soft = false;
   skyline::Talk Talk;
 
+  void Check(const skyline::IdleOptions& options) const
+  {
+    this->Horizon.RefuseIdle(options);
+    options.Refuse(!this->Soft, { "--sun-radius" },
+      "the shadow of the sun's middle has none; add --soft, or leave it out");
+  }
+
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    skyline::CheckOutput(this->Output.File, this->Terrain.File);
-    if (this->Sun.LimbDarkening)
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File });
+    this->Sun.WarnOfZone(this->Talk);
+    if (this->Horizon.Method == "fast")
     {
-      throw skyline::Failure("--limb-darkening changes no shadow height; leave it out");
+      skyline::PrintWarning(
+        skyline::Doubt{ "no method finds shadow heights faster than exact", "--method exact", "" },
+        this->Talk);
     }
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
-    const skyline::Center center = skyline::CenterOf(terrain);
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
+    this->Horizon.WarnIdle(terrain, this->Talk);
+    const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
     const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
     vtkNew<vtkShadowHeightMap> shadow;
     shadow->SetInputData(terrain);
@@ -66,19 +77,26 @@ void AddShadowHeight(CLI::App& program)
   const auto command = std::make_shared<ShadowHeightCommand>();
   app->footer(
     "Writes a GeoTIFF of float32 in metres. ShadowHeight: what lies lower above the post "
-    "is in the shadow of the\nterrain; the post's own height where it is lit, infinite "
-    "for a sun under the horizontal plane. With --soft\nalso ShadowHeightUpper and "
+    "is in the shadow of the\nterrain; the post's own height where it is lit, nodata "
+    "everywhere, with a warning, for a sun on or\nunder the horizontal plane. With --soft also ShadowHeightUpper and "
     "ShadowHeightLower, for the upper and lower limb of the disc: below the first all\nof "
     "the sun is hidden, above the second none; these may lie under the ground. One sun "
-    "for the whole DEM:\nwith --time, that over its centre. Method fast is exact here; sweep is the "
-    "recurrence of Lee & Kim, off by metres.");
+    "for the whole DEM:\nwith --time, that over its centre. ");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write", true);
-  command->Sun.AddTo(*app);
+  command->Sun.AddTo(*app, false);
   app->add_flag("--soft", command->Soft, "Add the shadow heights of the limbs of the sun's disc");
-  command->Horizon.AddTo(*app, false);
+  HorizonNeeds needs;
+  needs.Azimuths = false;
+  needs.Heights = true;
+  command->Horizon.AddTo(*app, needs);
   AddTalk(*app, command->Talk);
-  app->callback([command] { command->Run(); });
+  app->callback(
+    [command, app]
+    {
+      command->Check(IdleOptions(*app));
+      command->Run();
+    });
 }
 
 } // namespace skyline

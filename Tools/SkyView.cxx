@@ -2,7 +2,9 @@
 #include "Commands.h"
 
 #include "Files.h"
+#include "IdleOptions.h"
 #include "Options.h"
+#include "Values.h"
 
 #include "vtkHeightFieldSkyView.h"
 #include "vtkImageData.h"
@@ -10,14 +12,17 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace
 {
 
-const std::vector<std::string> AllQuantities{ "SkyViewFactor", "SkyViewFactorHorizontal",
+const std::vector<std::string> UsualQuantities{ "SkyViewFactor", "SkyViewFactorHorizontal",
   "VisibleSkyFraction", "PositiveOpenness" };
+const std::vector<std::string> AllQuantities{ "SkyViewFactor", "SkyViewFactorHorizontal",
+  "VisibleSkyFraction", "PositiveOpenness", "EdgeTrust" };
 
 struct SkyViewCommand
 {
@@ -25,16 +30,19 @@ struct SkyViewCommand
   skyline::OutputOptions Output;
   skyline::HorizonOptions Horizon;
   std::vector<std::string> Quantities;
+  std::optional<double> EdgeDistance; // metres
   skyline::Talk Talk;
+
+  void Check(const skyline::IdleOptions& options) const { this->Horizon.RefuseIdle(options); }
 
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    skyline::CheckOutput(this->Output.File, this->Terrain.File);
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File });
 
     // Every quantity once, in the order asked for.
     std::vector<std::string> wanted;
-    for (const std::string& name : this->Quantities.empty() ? AllQuantities : this->Quantities)
+    for (const std::string& name : this->Quantities.empty() ? UsualQuantities : this->Quantities)
     {
       if (std::find(wanted.begin(), wanted.end(), name) == wanted.end())
       {
@@ -44,7 +52,13 @@ struct SkyViewCommand
     const auto asked = [&](const char* name)
     { return std::find(wanted.begin(), wanted.end(), name) != wanted.end(); };
 
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+    if (this->EdgeDistance && !asked("EdgeTrust"))
+    {
+      throw CLI::ValidationError("--edge-distance is for --quantity EdgeTrust; ask for it too");
+    }
+
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
+    this->Horizon.WarnIdle(terrain, this->Talk);
     vtkNew<vtkHeightFieldSkyView> sky;
     sky->SetInputData(terrain);
     sky->SetNumberOfAzimuths(this->Horizon.Azimuths);
@@ -53,6 +67,12 @@ struct SkyViewCommand
     sky->SetSkyViewFactorHorizontal(asked("SkyViewFactorHorizontal"));
     sky->SetVisibleSkyFraction(asked("VisibleSkyFraction"));
     sky->SetPositiveOpenness(asked("PositiveOpenness"));
+    sky->SetEdgeTrust(asked("EdgeTrust"));
+    if (this->EdgeDistance)
+    {
+      sky->AutoEdgeDistanceOff();
+      sky->SetEdgeDistance(*this->EdgeDistance);
+    }
     skyline::RunPass(sky, "sky view", this->Talk);
 
     skyline::WriteRaster(sky, wanted, this->Output, this->Talk);
@@ -69,24 +89,48 @@ void AddSkyView(CLI::App& program)
   CLI::App* app = program.add_subcommand("sky-view", "How much of the sky every post sees");
   const auto command = std::make_shared<SkyViewCommand>();
   command->Horizon.Azimuths = 72;
-  app->footer("Writes a GeoTIFF of float32, one band a quantity, described by its name:\n"
-              "  SkyViewFactor            0 to 1: share of a uniform sky's light that falls on the "
-              "tilted surface\n"
-              "  SkyViewFactorHorizontal  0 to 1: the same on a level plate at the post\n"
-              "  VisibleSkyFraction       0 to 1: share of the upper hemisphere's solid angle\n"
-              "  PositiveOpenness         degrees, 0 to 180: mean zenith angle of the horizon");
+  app->footer(
+    "Writes a GeoTIFF of float32, one band a quantity, described by its name:\n"
+    "  SkyViewFactor            0 to 1: share of a uniform sky's light that falls on the "
+    "tilted surface\n"
+    "  SkyViewFactorHorizontal  0 to 1: the same on a level plate at the post\n"
+    "  VisibleSkyFraction       0 to 1: share of the upper hemisphere's solid angle\n"
+    "  PositiveOpenness         degrees, 0 to 180: mean zenith angle of the horizon\n"
+    "  EdgeTrust                0 to 1: share of the azimuths in which the data reach at "
+    "least --edge-distance\n"
+    "Beyond the data nothing is known: where no terrain lies the horizon is -90, so posts "
+    "near the rim see too\nmuch (openness of level ground: 90, at an edge 135, at a corner "
+    "157.5). Keep those with EdgeTrust 1.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write");
   app
     ->add_option("--quantity", command->Quantities,
-      "A quantity to write, see below; may be repeated. Default: all four")
+      "A quantity to write, see below; may be repeated. Default: all but EdgeTrust")
     ->type_name("NAME")
-    ->check(CLI::IsMember(AllQuantities))
+    ->check(OneOf(AllQuantities))
     ->type_size(1)
     ->allow_extra_args(false);
+  app
+    ->add_option("--edge-distance", command->EdgeDistance,
+      "How far the data must reach for EdgeTrust, metres, 0 (any terrain at all) or more.\n"
+      "Default: 1000, or a tenth of the DEM's shorter side if that is less")
+    ->type_name("METRES")
+    ->check(CLI::Validator(
+      [](const std::string& text)
+      {
+        double metres = 0.0;
+        const bool fine = CLI::detail::lexical_cast(text, metres) && metres >= 0.0 && metres <= 1e9;
+        return fine ? std::string() : "needs 0 to 1e9 metres, not " + text; // NaN is none of them
+      },
+      ""));
   command->Horizon.AddTo(*app);
   AddTalk(*app, command->Talk);
-  app->callback([command] { command->Run(); });
+  app->callback(
+    [command, app]
+    {
+      command->Check(IdleOptions(*app));
+      command->Run();
+    });
 }
 
 } // namespace skyline

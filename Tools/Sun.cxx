@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands.h"
 
+#include "Eclipse.h"
 #include "Failure.h"
 #include "Files.h"
+#include "IdleOptions.h"
 #include "Options.h"
 #include "SunLight.h"
 #include "UtcTime.h"
@@ -48,6 +50,7 @@ struct SunCommand
     if (sun.FromTime)
     {
       std::printf("time: %s UTC\n", skyline::ToText(skyline::ParseUtcTime(this->Sun.Time)).c_str());
+      this->PrintEclipse(center, sun);
     }
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
     {
@@ -55,22 +58,47 @@ struct SunCommand
     }
   }
 
+  // Two lines while the Moon covers any of a sun that has not set.
+  void PrintEclipse(const skyline::Center& center, const skyline::SunLight& sun) const
+  {
+    const skyline::SunAndMoon seen =
+      skyline::EclipseEphemeris(skyline::ParseUtcTime(this->Sun.Time))
+        .At(center.Longitude, center.Latitude, center.Height);
+    if (seen.Magnitude() > 0.0 && sun.ApparentElevation + sun.Radius > 0.0)
+    {
+      std::printf("eclipse obscuration: %.2f percent\n", 100.0 * seen.Obscuration());
+      std::printf("eclipse magnitude: %.4f diameter\n", seen.Magnitude());
+    }
+  }
+
   void Write() const
   {
-    skyline::CheckOutput(this->Output.File, this->Terrain.File);
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk);
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File });
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
+    this->Horizon.WarnIdle(terrain, this->Talk);
     vtkNew<vtkHeightFieldSunShadow> shadow;
     shadow->SetInputData(terrain);
     this->Horizon.Apply(shadow.Get());
-    const skyline::Center center = skyline::CenterOf(terrain);
+    const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
     skyline::ApplySun(this->Sun, skyline::FindSun(this->Sun, center.Place, center.Height), shadow);
     skyline::RunPass(shadow, "sun", this->Talk);
     skyline::WriteRaster(shadow, { "SunVisibility" }, this->Output, this->Talk);
   }
 
+  void Check(const skyline::IdleOptions& options) const
+  {
+    this->Horizon.RefuseIdle(options);
+    this->Sun.RefuseIdle(options);
+    options.Refuse(this->Output.File.empty(),
+      { "--cloud-optimized", "--limb-darkening", "--method", "--surface", "--flat", "--refraction",
+        "--tolerance" },
+      "without -o no shadow is computed; add -o FILE, or leave it out");
+  }
+
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
+    this->Sun.WarnOfZone(this->Talk);
     if (this->Output.File.empty())
     {
       this->Print();
@@ -94,15 +122,24 @@ void AddSun(CLI::App& program)
   app->footer(
     "Without -o, prints the sun at the centre of the DEM, one `name: value unit` a line: azimuth "
     "(clockwise from\ntrue north; from grid north for a DEM without CRS), elevation (without air), "
-    "refracted elevation,\nangular radius, grid azimuth, and the place and time.\n"
+    "refracted elevation,\nangular radius, grid azimuth, and the place and time; with --time in an "
+    "eclipse of the sun also\neclipse obscuration (percent of the disc that the Moon covers) and "
+    "eclipse magnitude (of the diameter).\n"
     "With -o, writes a GeoTIFF of float32 with one band, SunVisibility: the lit share of the sun's "
-    "disc, 0 to 1.");
+    "disc, 0 to 1;\nin an eclipse at --time, times the share of its light that the Moon leaves.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write; without it the sun's position is printed", false);
   command->Sun.AddTo(*app);
-  command->Horizon.AddTo(*app, false);
+  HorizonNeeds needs;
+  needs.Azimuths = false;
+  command->Horizon.AddTo(*app, needs);
   AddTalk(*app, command->Talk);
-  app->callback([command] { command->Run(); });
+  app->callback(
+    [command, app]
+    {
+      command->Check(IdleOptions(*app));
+      command->Run();
+    });
 }
 
 } // namespace skyline

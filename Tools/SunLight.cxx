@@ -4,27 +4,50 @@
 #include "Constants.h"
 #include "Failure.h"
 #include "GroundMetric.h"
+#include "IdleOptions.h"
 #include "SunPosition.h"
+#include "UtcTime.h"
+#include "Values.h"
 
 #include "vtkHeightFieldSunShadow.h"
 
 #include <cmath>
 #include <exception>
-#include <sstream>
 
 namespace
 {
 
-// Two numbers and a comma; false for anything else.
-bool ParseDirection(const std::string& text, double& azimuth, double& elevation)
+constexpr double MostElevation = 90.0; // degrees
+
+const skyline::Limits RadiusLimits{ "0 to less than 90 degrees", 0.0, 90.0, false, true };
+
+std::string CheckTime(const std::string& text)
 {
-  const std::size_t comma = text.find(',');
-  if (comma == std::string::npos)
+  try
   {
-    return false;
+    const skyline::SunEphemeris years(skyline::ParseUtcTime(text));
+    return "";
   }
-  return CLI::detail::lexical_cast(text.substr(0, comma), azimuth) &&
-    CLI::detail::lexical_cast(text.substr(comma + 1), elevation);
+  catch (const std::exception& reason)
+  {
+    return reason.what();
+  }
+}
+
+std::string CheckDirection(const std::string& text)
+{
+  const auto numbers = skyline::ReadNumbers(text);
+  if (!numbers)
+  {
+    return skyline::WhyNoNumbers(text) + "; give two numbers AZ,EL";
+  }
+  if (numbers->size() != 2)
+  {
+    return text + " is no direction; give two numbers AZ,EL";
+  }
+  return std::abs((*numbers)[1]) > MostElevation
+    ? "elevation " + skyline::NumberText((*numbers)[1]) + " is out of range; give -90 to 90 degrees"
+    : "";
 }
 
 double Turned(double degrees)
@@ -33,47 +56,53 @@ double Turned(double degrees)
   return turned < 0.0 ? turned + 360.0 : turned;
 }
 
-std::string Text(double number)
-{
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
-
 } // namespace
 
 namespace skyline
 {
 
-void SunOptions::AddTo(CLI::App& command)
+void SunOptions::AddTo(CLI::App& command, bool limbDarkening)
 {
   CLI::Option* time = command
                         .add_option("--time", this->Time,
                           "The sun of this moment at the place of the DEM, such as "
                           "2026-06-21T06:00Z or\n2026-06-21T08:00+02:00 (UTC without a zone); 1900 "
                           "to 2100")
-                        ->type_name("TIME");
+                        ->type_name("TIME")
+                        ->check(Checked(CheckTime));
   command
     .add_option("--sun", this->Direction,
       "The sun in this direction: azimuth in degrees clockwise from grid north (any number),\n"
       "apparent elevation in degrees, -90 to 90. Default without --time: 315,45")
     ->type_name("AZ,EL")
-    ->check(CLI::Validator(
-      [](std::string& text)
-      {
-        double azimuth, elevation;
-        return ParseDirection(text, azimuth, elevation) ? std::string()
-                                                        : "needs two numbers AZ,EL, not " + text;
-      },
-      ""))
+    ->check(Checked(CheckDirection))
     ->excludes(time);
-  command
-    .add_option("--sun-radius", this->Radius,
-      "Angular radius of the sun's disc in degrees, 0 to less than 90; 0: hard shadows.\n"
-      "Default: the true one with --time, 0.26645 otherwise")
+  AddNumber(command, "--sun-radius", this->Radius, RadiusLimits,
+    "Angular radius of the sun's disc in degrees, 0 to less than 90; 0: hard shadows.\n"
+    "Default: the true one with --time, " +
+      NumberText(MeanSunRadius) + " otherwise")
     ->type_name("DEG");
-  command.add_flag("--limb-darkening", this->LimbDarkening,
-    "Let the sun's disc be darker at its edge, as the true one is");
+  if (limbDarkening)
+  {
+    command.add_flag("--limb-darkening", this->LimbDarkening,
+      "Let the sun's disc be darker at its edge, as the true one is");
+  }
+}
+
+void SunOptions::RefuseIdle(const IdleOptions& options) const
+{
+  options.Refuse(this->Radius == 0.0, { "--limb-darkening" },
+    "a sun of --sun-radius 0 is a point without a limb; leave one of the two out");
+}
+
+void SunOptions::WarnOfZone(const Talk& talk) const
+{
+  if (!this->Time.empty() && !NamesZone(this->Time))
+  {
+    PrintWarning(Doubt{ "the time " + this->Time + " has no zone", "UTC",
+                   "--time " + ToText(ParseUtcTime(this->Time)) },
+      talk);
+  }
 }
 
 SunLight FindSun(const SunOptions& options, const Georeference& place, double height)
@@ -107,18 +136,12 @@ SunLight FindSun(const SunOptions& options, const Georeference& place, double he
   }
   else if (!options.Direction.empty())
   {
-    ParseDirection(options.Direction, sun.GridAzimuth, sun.Elevation);
+    const auto numbers = ReadNumbers(options.Direction);
+    sun.GridAzimuth = (*numbers)[0];
+    sun.Elevation = (*numbers)[1];
   }
   if (!sun.FromTime)
   {
-    if (!std::isfinite(sun.GridAzimuth))
-    {
-      throw Failure("sun azimuth " + Text(sun.GridAzimuth) + " is no angle");
-    }
-    if (!(std::abs(sun.Elevation) <= 90.0))
-    {
-      throw Failure("sun elevation " + Text(sun.Elevation) + " is out of range: -90 to 90 degrees");
-    }
     sun.GridAzimuth = Turned(sun.GridAzimuth);
     sun.ApparentElevation = sun.Elevation;
     sun.TrueAzimuth =
@@ -134,15 +157,7 @@ SunLight FindSun(const SunOptions& options, const Georeference& place, double he
       sun.SkyAzimuth = ground;
     }
   }
-  if (options.Radius != TrueRadius)
-  {
-    if (!(options.Radius >= 0.0 && options.Radius < 90.0))
-    {
-      throw Failure(
-        "sun radius " + Text(options.Radius) + " is out of range: 0 to less than 90 degrees");
-    }
-    sun.Radius = options.Radius;
-  }
+  sun.Radius = options.Radius.value_or(sun.Radius);
   return sun;
 }
 
@@ -151,7 +166,7 @@ void ApplySun(const SunOptions& options, const SunLight& sun, vtkHeightFieldSunS
   shadow->SetSunAzimuth(sun.GridAzimuth);
   shadow->SetSunElevation(sun.ApparentElevation);
   shadow->SetSunAngularRadius(sun.Radius);
-  shadow->SetTrueRadius(options.Radius == TrueRadius);
+  shadow->SetTrueRadius(!options.Radius);
   shadow->SetUseTime(sun.FromTime);
   shadow->SetTime(options.Time.c_str());
   shadow->SetLimbDarkening(options.LimbDarkening);

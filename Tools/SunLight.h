@@ -4,9 +4,11 @@
 #define skyline_SunLight_h
 
 #include "Georeference.h"
+#include "Passes.h"
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
 
 class vtkHeightFieldSunShadow;
@@ -14,17 +16,25 @@ class vtkHeightFieldSunShadow;
 namespace skyline
 {
 
-/// Stands for the radius that the sun has at the time, or on average.
-constexpr double TrueRadius = -1.0;
+class IdleOptions;
 
 /// --time, --sun, --sun-radius, --limb-darkening.
 struct SunOptions
 {
   std::string Time;
   std::string Direction;
-  double Radius = TrueRadius; ///< degrees
+  std::optional<double> Radius; ///< degrees; none: that of the time, or the mean one
   bool LimbDarkening = false;
-  void AddTo(CLI::App& command);
+  void AddTo(CLI::App& command, bool limbDarkening = true);
+
+  /// Whether the user asked for a sun.
+  bool Asked() const { return !this->Time.empty() || !this->Direction.empty(); }
+
+  /// Throws WrongUsage for options that cannot act; before any work.
+  void RefuseIdle(const IdleOptions& options) const;
+
+  /// Warns where the time has no zone.
+  void WarnOfZone(const Talk& talk) const;
 };
 
 /// The sun at one place. Angles in degrees.
@@ -41,8 +51,8 @@ struct SunLight
 };
 
 /// The sun over the centre of the terrain, at `height` metres. Without --time and --sun: azimuth
-/// 315 from grid north, elevation 45. Throws Failure for an elevation or radius out of range and
-/// for --time without a place on the Earth, and what ParseUtcTime and ComputeSun throw.
+/// 315 from grid north, elevation 45. Throws Failure for --time without a place on the Earth, and what
+/// ParseUtcTime and ComputeSun throw.
 SunLight FindSun(const SunOptions& options, const Georeference& place, double height);
 
 /// Gives that sun to the filter: by time, so that it differs from post to post, or by direction.

@@ -2,6 +2,7 @@
 #include "Commands.h"
 
 #include "Failure.h"
+#include "IdleOptions.h"
 #include "Lights.h"
 #include "LookOptions.h"
 #include "Options.h"
@@ -41,11 +42,16 @@ struct ViewCommand
   skyline::PerspectiveOptions Perspective;
   skyline::Talk Talk;
 
+  void Check(const skyline::IdleOptions& options) const
+  {
+    this->Options.Horizon.RefuseIdle(options);
+    this->Options.Lights.Sun.RefuseIdle(options);
+  }
+
   void Run()
   {
     skyline::PrepareVtk(this->Talk);
-    this->Perspective.Check();
-    this->Look.Check();
+    this->Options.Lights.Sun.WarnOfZone(this->Talk);
     if (this->Options.Terrain.File.empty())
     {
       this->Options.Terrain.File = BundledTerrain();
@@ -88,7 +94,12 @@ void AddView(CLI::App& program)
   command->Perspective.AddTo(*app);
   command->Options.Horizon.AddTo(*app);
   AddTalk(*app, command->Talk);
-  app->callback([command] { command->Run(); });
+  app->callback(
+    [command, app]
+    {
+      command->Check(IdleOptions(*app));
+      command->Run();
+    });
 }
 
 } // namespace skyline

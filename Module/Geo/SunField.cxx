@@ -3,6 +3,7 @@
 
 #include "Azimuth.h"
 #include "Constants.h"
+#include "LatticePlace.h"
 #include "SunPosition.h"
 
 #include <algorithm>
@@ -24,22 +25,6 @@ constexpr std::ptrdiff_t LastSide = 257;
 /// Suns closer than this (degrees) everywhere are one: rounding of a raster whose axes are at right
 /// angles.
 constexpr double SameDirection = 1e-6;
-
-/// Position between two nodes.
-struct Place
-{
-  std::ptrdiff_t Lower = 0, Upper = 0;
-  double Fraction = 0.0;
-
-  Place(double position, std::ptrdiff_t nodes)
-  {
-    const double inside = std::clamp(position, 0.0, static_cast<double>(nodes - 1));
-    const std::ptrdiff_t lastCell = std::max<std::ptrdiff_t>(nodes - 2, 0);
-    this->Lower = std::min(static_cast<std::ptrdiff_t>(inside), lastCell);
-    this->Upper = std::min(this->Lower + 1, nodes - 1);
-    this->Fraction = inside - static_cast<double>(this->Lower);
-  }
-};
 
 SunVector Mix(const SunVector& a, const SunVector& b, double fraction)
 {
@@ -192,8 +177,8 @@ const SunVector& SunField::Node(std::ptrdiff_t column, std::ptrdiff_t row) const
 
 SunVector SunField::Interpolate(double column, double row) const
 {
-  const Place across(column * this->NodesPerColumn, this->Side);
-  const Place along(row * this->NodesPerRow, this->Side);
+  const LatticePlace across(column * this->NodesPerColumn, this->Side);
+  const LatticePlace along(row * this->NodesPerRow, this->Side);
   const SunVector west = Mix(
     this->Node(across.Lower, along.Lower), this->Node(across.Lower, along.Upper), along.Fraction);
   const SunVector east = Mix(
@@ -214,12 +199,13 @@ GridSun SunField::At(double column, double row) const
 void SunField::Row(std::ptrdiff_t row, std::ptrdiff_t columnBegin, std::ptrdiff_t count, float* x,
   float* y, float* z) const
 {
-  const Place along(static_cast<double>(row) * this->NodesPerRow, this->Side);
+  const LatticePlace along(static_cast<double>(row) * this->NodesPerRow, this->Side);
   std::ptrdiff_t cell = -1;
   SunVector west, east;
   for (std::ptrdiff_t i = 0; i < count; ++i)
   {
-    const Place across(static_cast<double>(columnBegin + i) * this->NodesPerColumn, this->Side);
+    const LatticePlace across(
+      static_cast<double>(columnBegin + i) * this->NodesPerColumn, this->Side);
     if (across.Lower != cell)
     {
       cell = across.Lower;

@@ -50,6 +50,9 @@ public:
   /// std::out_of_range for a latitude beyond the poles or numbers that are not finite.
   SunDirection At(double longitude, double latitude, double height, const Air& air) const;
 
+  /// Metres from the Earth's centre, on axes fixed to the Earth.
+  const std::array<double, 3>& FromEarthCentre() const { return this->Sun; }
+
 private:
   std::array<double, 3> Sun; ///< from the Earth's centre, metres, Earth-fixed axes, aberration in
 };

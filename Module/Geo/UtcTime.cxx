@@ -88,7 +88,7 @@ public:
   [[noreturn]] void Refuse(const std::string& reason) const
   {
     throw std::invalid_argument(
-      "time \"" + this->Text + "\" " + reason + "; write it like 2026-06-21T06:00Z");
+      "\"" + this->Text + "\" " + reason + "; write it like 2026-06-21T06:00Z");
   }
 
 private:
@@ -104,8 +104,19 @@ private:
 /// Minutes that the written clock is ahead of UTC.
 int ReadZone(Reader& reader)
 {
-  if (reader.AtEnd() || reader.Accept('Z'))
+  if (reader.AtEnd())
   {
+    return 0;
+  }
+  reader.Accept(' ');
+  if (reader.Accept('Z'))
+  {
+    return 0;
+  }
+  if (reader.Accept('U'))
+  {
+    reader.Expect('T');
+    reader.Expect('C');
     return 0;
   }
   const bool behind = reader.Accept('-');
@@ -114,7 +125,7 @@ int ReadZone(Reader& reader)
     reader.Expect('+');
   }
   int minutes = 60 * reader.Number(2, 0, 23, "zone hour");
-  if (reader.Accept(':'))
+  if (reader.Accept(':') || !reader.AtEnd())
   {
     minutes += reader.Number(2, 0, 59, "zone minute");
   }
@@ -175,7 +186,10 @@ UtcTime ParseUtcTime(const std::string& text)
     return time;
   }
 
-  reader.Expect('T');
+  if (!reader.Accept(' ')) // as Python, pandas and GNU date print it
+  {
+    reader.Expect('T');
+  }
   time.Hour = reader.Number(2, 0, 23, "hour");
   reader.Expect(':');
   time.Minute = reader.Number(2, 0, 59, "minute");
@@ -197,6 +211,12 @@ UtcTime ParseUtcTime(const std::string& text)
     reader.Refuse("has a second 60 where no leap second is known");
   }
   return time;
+}
+
+bool NamesZone(const std::string& text)
+{
+  constexpr std::size_t date = 10; // letters, whose signs are no zone's
+  return text.size() > date && text.find_first_of("ZU+-", date) != std::string::npos;
 }
 
 std::string ToText(const UtcTime& time)

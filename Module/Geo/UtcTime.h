@@ -20,12 +20,15 @@ struct UtcTime
   double Second = 0.0; ///< 0 up to, not including, 60; 61 in a leap second
 };
 
-/// Reads ISO 8601's extended form: `2026-06-21`, `2026-06-21T06:00Z`,
-/// `2026-06-21T08:00:30.25+02:00`. A date alone means its first moment. Without a zone designator
-/// the time is UTC. Offsets are +hh:mm, -hh:mm, +hh or -hh. Second 60 is read where ERFA's table
-/// has a leap second. Throws std::invalid_argument, naming the text and a form that works, for
-/// everything else.
+/// Reads ISO 8601's extended form, and what Python, pandas and GNU date print: `2026-06-21`,
+/// `2026-06-21T06:00Z`, `2026-06-21 06:00:00+00:00`, `2026-06-21T08:00:30.250000000 +0200`. A date alone
+/// means its first moment. Without a zone the time is UTC. Zones are Z, UTC, +hh:mm, +hhmm and +hh, or
+/// with a minus. Second 60 is read where ERFA's table has a leap second. Throws std::invalid_argument,
+/// naming the text and a form that works, for everything else.
 UtcTime ParseUtcTime(const std::string& text);
+
+/// Whether a text that ParseUtcTime reads says in which zone its clock is.
+bool NamesZone(const std::string& text);
 
 /// The moment as text that ParseUtcTime reads, cut (not rounded) to milliseconds.
 std::string ToText(const UtcTime& time);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HeightField.h"
 
+#include "HeightLimits.h"
+
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -39,10 +43,20 @@ HeightField::HeightField(const Grid& grid)
     throw std::invalid_argument("no surface: " + std::to_string(grid.Columns) + " x " +
       std::to_string(grid.Rows) + " posts; a surface needs at least 2 x 2");
   }
-  if (!(grid.SpacingX > 0.0) || !(grid.SpacingY > 0.0))
+  for (const double spacing : { grid.SpacingX, grid.SpacingY })
   {
-    throw std::invalid_argument("spacing " + std::to_string(grid.SpacingX) + " x " +
-      std::to_string(grid.SpacingY) + " m; both must be above 0");
+    if (!(spacing > 0.0))
+    {
+      throw std::invalid_argument("spacing " + std::to_string(grid.SpacingX) + " x " +
+        std::to_string(grid.SpacingY) + " m; both must be above 0");
+    }
+    if (!(spacing >= LeastSpacing && spacing <= GreatestSpacing))
+    {
+      std::array<char, 32> text{};
+      std::snprintf(text.data(), text.size(), "%.6g", spacing);
+      throw std::invalid_argument(
+        "posts " + std::string(text.data()) + " m apart; give a spacing from 1e-9 to 1e9 m");
+    }
   }
   this->Rows = PaddedPlane(grid.Rows, grid.Columns);
 }

@@ -68,11 +68,11 @@ struct MissingMap
 class HeightField
 {
 public:
-  /// columns, rows: at least 2 each, else std::invalid_argument.
+  /// columns, rows: at least 2 each; spacings by HeightLimits.h; else std::invalid_argument.
   HeightField(const Grid& grid);
 
   /// Copies rows [rowBegin, rowEnd) of posts less `base`; height(column, row) is a double, NaN or
-  /// infinite where the post is missing. Disjoint ranges may be filled by different threads.
+  /// infinite where missing, else within GreatestHeight. Disjoint ranges may be filled at once.
   template <typename Height>
   void Fill(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd, double base, const Height& height)
   {

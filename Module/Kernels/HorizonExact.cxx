@@ -5,6 +5,7 @@
 #define HWY_TARGET_INCLUDE "Kernels/HorizonExact.cxx"
 #include "hwy/foreach_target.h"
 
+#include "BaseHeight.h"
 #include "FindTask.h"
 #include "HorizonExact.h"
 #include "RayWalk-inl.h"
@@ -396,7 +397,9 @@ void HorizonExact::SetAzimuth(const Grid& grid, double azimuth)
   this->Ray = std::make_unique<RayFrame>(this->Field, grid, azimuth, this->Settings.Sink);
   const bool corners =
     this->Ray->Against || this->Field.HasMissing() || this->Settings.Shape == Surface::Bilinear;
-  this->State.Set(*this->Ray, corners, this->Settings.Tolerance, this->Field.LargestHeight());
+  // One post far from all others leaves these their digits, so it does not make their rounding greater.
+  const float largest = std::min(this->Field.LargestHeight(), static_cast<float>(PlainRelief));
+  this->State.Set(*this->Ray, corners, this->Settings.Tolerance, largest);
   this->State.Holes.Resize(this->Field.MissingPosts(this->Ray->Columns));
 }
 

@@ -7,9 +7,18 @@ import datetime
 import math
 import operator
 import os
+import re
 from typing import Any, Sequence
 
 import numpy as np
+
+from . import _warnings
+
+# What skyline::ParseUtcTime reads: ISO 8601's extended form, and what Python and pandas print.
+_MOMENT = re.compile(
+    r"(?P<date>\d{4}-\d{2}-\d{2})"
+    r"([T ](?P<clock>\d{2}:\d{2})(:(?P<second>\d{2})([.,]\d+)?)?"
+    r"(?P<zone> ?(Z|UTC|[+-]([01]\d|2[0-3])(:?[0-5]\d)?))?)?", re.ASCII)
 
 
 def short(value: Any) -> str:
@@ -76,6 +85,16 @@ def file_name(name: str, value: Any) -> str:
     return text
 
 
+def texts(name: str, values: Any, wanted: str) -> list[str]:
+    """A sequence of texts, none empty."""
+    if isinstance(values, (str, bytes)) or not np.iterable(values):
+        raise TypeError(f"{name} is {short(values)}; give {wanted}")
+    for value in values:
+        if not isinstance(value, str) or not value:
+            raise TypeError(f"{name} holds {short(value)}; give {wanted}")
+    return list(values)
+
+
 def choice(name: str, value: Any, choices: Sequence[str]) -> int:
     """The place of `value` in `choices`."""
     if value not in choices:
@@ -111,4 +130,26 @@ def moment(value: Any) -> str:
         return str(value.astype("datetime64[ms]")) + "Z"
     if not isinstance(value, str):
         raise TypeError(f"time is {short(value)}; give text such as '2026-06-21T06:00Z' or a datetime")
-    return value
+    return _moment_text(value)
+
+
+def _moment_text(text: str) -> str:
+    """Text that the classes read; a ValueError for other text, a warning where no zone is named."""
+    parts = _MOMENT.fullmatch(text)
+    try:
+        if parts is None:
+            raise ValueError
+        second = parts["second"] or "00"  # 60, a leap second, is checked by the class that knows them
+        datetime.datetime.fromisoformat(
+            f"{parts['date']}T{parts['clock'] or '00:00'}:{'59' if second == '60' else second}")
+    except ValueError:
+        raise ValueError(
+            f"time is {short(text)}, which is not a time; give one such as '2026-06-21T06:00Z'"
+        ) from None
+    if not 1900 <= int(parts["date"][:4]) <= 2100:
+        raise ValueError(f"time is {short(text)}; give a time from 1900 to 2100")
+    if parts["zone"]:
+        return text
+    in_utc = text + ("Z" if parts["clock"] else "T00:00Z")
+    _warnings.doubt(f"the time {text} has no zone", "UTC", f"time='{in_utc}'")
+    return in_utc

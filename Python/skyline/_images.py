@@ -13,18 +13,15 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 
-from . import _check, _warnings
-from ._run import Error, run
+from . import _check
+from ._run import Error, reported, run
+from .SkylineFilters import vtkHeightFieldInspection
 from .SkylineIO import vtkHeightFieldPictureWriter, vtkHeightFieldReader, vtkHeightFieldWriter
 
 FileName = Union[str, "os.PathLike[str]"]
 Row0 = Literal["north", "south"]
 Spacing = Union[float, Sequence[float]]
-
-# What rasters put where they have no height; no ground on the Earth is exactly there.
-_SENTINELS = (-9999.0, -99999.0, -32768.0, -32767.0)
-_ABSURD = 1.0e30
-_CLIFF = 100.0  # slope of half of all steps that no ground has
+Nodata = Union[float, Sequence[float], None]
 
 
 def to_image(
@@ -34,7 +31,7 @@ def to_image(
     row0: Row0 = "north",
     crs: Any = None,
     transform: Any = None,
-    nodata: float | None = None,
+    nodata: Nodata = None,
 ) -> vtkImageData:
     """The height field of an array whose row 0 is its NORTH edge, as rasterio and GDAL read rasters.
 
@@ -47,7 +44,7 @@ def to_image(
     crs        "EPSG:25830", WKT, an EPSG number, or an object of rasterio or pyproj. Brings curvature,
                refraction, true north and the sun by time. Needs `transform`.
     transform  of rasterio (affine), or the six numbers of GDAL's GetGeoTransform, in units of the CRS.
-    nodata     the value of missing posts, if z holds one.
+    nodata     the value of missing posts, or several, if z holds such.
 
     The image's row 0 is the south edge, its point scalars are "Elevation". It shares the memory of z if
     row0 is "south", z is contiguous and nothing in it is missing by mask or nodata; else it holds a copy.
@@ -59,7 +56,8 @@ def to_image(
     >>> [image.GetScalarComponentAsDouble(x, 0, 0, 0) for x in (0, 1)]
     [1.0, 2.0]
     """
-    heights = _heights(z, nodata)
+    missing = _missing(nodata)
+    heights = _heights(z, missing)
     south = bool(_check.choice("row0", row0, ("north", "south")))
     rows, columns = heights.shape
     if transform is None:
@@ -68,7 +66,6 @@ def to_image(
         image = vtkImageData()
         image.SetDimensions(columns, rows, 1)
         image.SetSpacing(*_metres(spacing), 1.0)
-        _doubt_degrees(heights, image.GetSpacing()[0])
     elif spacing is not None:
         raise ValueError(f"spacing is {_check.short(spacing)}, but the transform gives it; leave spacing out")
     else:
@@ -76,8 +73,12 @@ def to_image(
     array = _to_vtk(heights if south else heights[::-1])
     array.SetName("Elevation")
     image.GetPointData().SetScalars(array)
-    if nodata is not None and np.isfinite(nodata):
-        _store(image, "NodataValue", [float(nodata)])
+    finite = [value for value in missing if np.isfinite(value)]
+    if finite:
+        _store(image, "NodataValue", finite[:1])
+    inspection = vtkHeightFieldInspection()
+    with reported(inspection):
+        inspection.Inspect(image, "the array")
     return image
 
 
@@ -108,10 +109,25 @@ def to_array(
     return values if south else values[::-1]
 
 
-def read(file: FileName, band: int = 1) -> vtkImageData:
+def read(
+    file: FileName,
+    band: int = 1,
+    *,
+    nodata: Nodata = None,
+    allow_network: bool = False,
+    allow_elsewhere: bool = False,
+    drivers: Sequence[str] = (),
+) -> vtkImageData:
     """A raster that GDAL opens as a height field in metres, with its place: point scalars "Elevation".
 
+    nodata   a value of missing posts, or several, besides the one that the file declares; as the file
+             has them, before its scale and unit
+
     to_array(image) gives the heights, row 0 = NORTH edge. Raises skyline.Error, naming the file.
+
+    allow_network    True lets the file be on a server, or lead to one; default False
+    allow_elsewhere  True lets it lead to files outside its own folder; default False
+    drivers          GDAL's short names of drivers that may open it, beside those of local rasters
 
     >>> image = read("Testing/Data/dem/SainteHelens.tif")
     >>> to_array(image).shape
@@ -120,6 +136,12 @@ def read(file: FileName, band: int = 1) -> vtkImageData:
     reader = vtkHeightFieldReader()
     reader.SetFileName(_check.file_name("file", file))
     reader.SetBand(_check.whole("band", band, 1, 2**31 - 1))
+    for value in _missing(nodata):
+        reader.AddNodata(value)
+    reader.SetAllowNetwork(_check.flag("allow_network", allow_network))
+    reader.SetAllowElsewhere(_check.flag("allow_elsewhere", allow_elsewhere))
+    for name in _check.texts("drivers", drivers, "a list of GDAL's short names, such as ['WMS']"):
+        reader.AddDriver(name)
     run(reader)
     return reader.GetOutput()
 
@@ -246,7 +268,16 @@ def _numeric(name: str, values: Any) -> NDArray[Any]:
     return array.astype(array.dtype.newbyteorder("="), copy=False)
 
 
-def _heights(z: Any, nodata: float | None) -> NDArray[Any]:
+def _missing(nodata: Any) -> list[float]:
+    """The values of missing posts."""
+    values = [] if nodata is None else [nodata] if np.ndim(nodata) == 0 else list(nodata)
+    for value in values:
+        if np.ndim(value) != 0 or isinstance(value, (str, bytes, bool)):
+            raise TypeError(f"nodata is {_check.short(nodata)}; give a number, or several")
+    return [float(value) for value in values]
+
+
+def _heights(z: Any, nodata: list[float]) -> NDArray[Any]:
     """Heights with NaN for missing posts."""
     array = _numeric("z", z)
     if array.ndim != 2 or min(array.shape) < 2:
@@ -254,27 +285,15 @@ def _heights(z: Any, nodata: float | None) -> NDArray[Any]:
     masks: Any = np.ma  # whose functions have no hints everywhere
     missing = masks.getmaskarray(array) if isinstance(array, np.ma.MaskedArray) else None
     array = np.asarray(array)
-    if nodata is not None:
-        if np.ndim(nodata) != 0 or isinstance(nodata, (str, bytes, bool)):
-            raise TypeError(f"nodata is {_check.short(nodata)}; give one number")
+    for value in nodata:
         # In the array's own digits, as the file has it; integers hold no fraction.
         with np.errstate(over="ignore"):
-            fill = np.float32(nodata) if array.dtype == np.float32 else nodata
-        absent = array == fill
+            absent = array == (np.float32(value) if array.dtype == np.float32 else value)
         missing = absent if missing is None else missing | absent
     if missing is not None and missing.any():
         small = array.dtype.itemsize <= 2 or array.dtype == np.float32
         array = array.astype(np.float32 if small else np.float64)
         array[missing] = np.nan
-    elif nodata is None:
-        # From 0 on, as one fold without a copy.
-        there: Any = np.isfinite(array)
-        ends = [("lowest", array.min(where=there, initial=0)), ("highest", array.max(where=there, initial=0))]
-        for name, value in ends:
-            if value in _SENTINELS or abs(float(value)) > _ABSURD:
-                _warnings.doubt(
-                    f"the {name} height is {float(value):g}, which often stands for a missing post",
-                    "it is a height", f"nodata={float(value)!r}")
     return array
 
 
@@ -284,18 +303,6 @@ def _metres(spacing: Any) -> list[float]:
         raise TypeError(f"spacing is missing; give {wanted}")
     pair = [spacing] * 2 if np.ndim(spacing) == 0 else _check.numbers("spacing", spacing, 2, wanted)
     return [_check.number("spacing", step, wanted, lambda step: step > 0.0) for step in pair]
-
-
-def _doubt_degrees(heights: NDArray[Any], dx: float) -> None:
-    """Warns where the ground is steeper than any: degrees are then taken for metres."""
-    lines = heights[:: max(1, len(heights) // 100)].astype(np.float64)
-    with np.errstate(invalid="ignore"):
-        steps = np.abs(np.diff(lines, axis=1))
-    steps = steps[np.isfinite(steps)]
-    if steps.size and np.median(steps) > _CLIFF * dx:
-        _warnings.doubt(
-            f"half of all neighbouring posts differ in height by more than {_CLIFF:g} times their distance",
-            f"a spacing of {dx:g} metres", "transform=... and crs=... (for degrees or feet)")
 
 
 def _six(transform: Any, rows: int, south: bool) -> list[float]:

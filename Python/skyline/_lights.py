@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from typing import Any, Iterable
 
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-from . import _check
+from . import _check, _warnings
 from ._images import _numeric, _to_vtk
 from ._run import reported, run
 from .SkylineFilters import (
@@ -22,6 +23,9 @@ from .SkylineFilters import (
 )
 from .SkylineIO import vtkLightMapReader
 
+_ZONAL = (1, 3, 5, 16)  # the CIE skies that are the same all around
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)  # no "inf", "1_000" or " 1"
+
 MEAN_SUN_RADIUS = 0.26645  # degrees, as in vtkHeightFieldSunShadow
 LARGEST_SUN = 3.0  # degrees: greater discs are key lights
 _SKIES = "'uniform', 'cie:1' to 'cie:16', 'perez:DIRECT,DIFFUSE' in W/m2, a file's name or a light map"
@@ -30,7 +34,7 @@ _SKIES = "'uniform', 'cie:1' to 'cie:16', 'perez:DIRECT,DIFFUSE' in W/m2, a file
 def environment_light(environment: Any, rotation: Any, sun: Any) -> vtkSkylineEnvironmentLight:
     """The environment of irradiance(); `sun` is (azimuth, elevation) or None."""
     light = vtkSkylineEnvironmentLight()
-    light.SetRotation(_check.number("rotation", rotation, "degrees"))
+    light.SetRotation(math.fmod(_check.number("rotation", rotation, "degrees"), 360.0))
     if isinstance(environment, (str, os.PathLike)):
         name = _check.file_name("environment", environment)
         kind, _, rest = name.partition(":")
@@ -45,16 +49,20 @@ def environment_light(environment: Any, rotation: Any, sun: Any) -> vtkSkylineEn
         light.SetImage(environment)
     else:
         light.SetImage(_light_map(environment))
+    same = light.GetSource() == light.UNIFORM or (
+        light.GetSource() == light.CIE and light.GetCieType() in _ZONAL)
+    if rotation != 0.0 and same:
+        raise ValueError(
+            f"rotation is {rotation:g}, but this sky is the same all around; leave it out, or give a light map")
     return light
 
 
 def _set_sky(
     light: vtkSkylineEnvironmentLight, name: str, kind: str, rest: str, sun: Any
 ) -> None:
-    try:
-        given = [float(part) for part in rest.split(",")]
-    except ValueError:
-        given = []
+    parts = rest.split(",")
+    given = [float(part) for part in parts] if all(map(_NUMBER.fullmatch, parts)) else []
+    given = given if all(map(math.isfinite, given)) else []
     if kind == "cie" and len(given) == 1 and given[0] in range(1, 17):
         light.SetSourceToCie()
         light.SetCieType(int(given[0]))
@@ -62,11 +70,18 @@ def _set_sky(
         light.SetSourceToPerez()
         light.SetDirectIrradiance(given[0])
         light.SetDiffuseIrradiance(given[1])
+        if sun is None:
+            raise ValueError(
+                f"environment is {name!r}, a sky of the sun; give sun=(azimuth, elevation) or time")
     else:
         raise ValueError(f"environment is {name!r}; give {_SKIES}")
     if sun is not None:
-        light.SetSunAzimuth(sun[0] - light.GetRotation())
+        light.SetSunAzimuth(sun[0])
         light.SetSunElevation(sun[1])
+    elif kind == "cie" and light.GetCieType() not in _ZONAL:
+        _warnings.doubt(
+            f"the sky {name} is brighter about the sun, and no sun is given",
+            "its sun at azimuth 315, elevation 45", "sun=(azimuth, elevation)")
 
 
 def _light_map(pixels: Any) -> vtkImageData:
@@ -155,11 +170,38 @@ def _in_image(x: float, y: float, terrain: vtkImageData) -> tuple[float, float]:
     return origin[0] + column * spacing[0], origin[1] + row * spacing[1]
 
 
-def find_direction(terrain: vtkImageData, time: str) -> tuple[float, float, float]:
+class SunPosition(tuple[float, float, float]):
+    """(azimuth, elevation, radius) in degrees, also by name, and the eclipse at that time.
+
+    magnitude     the part of the sun's diameter that the Moon covers; in totality, and with a ring, the
+                  ratio of both diameters; 0 without an eclipse
+    obscuration   the share of the disc's area that it covers, 0 to 1
+    """
+
+    magnitude: float
+    obscuration: float
+
+    @property
+    def azimuth(self) -> float:
+        return self[0]
+
+    @property
+    def elevation(self) -> float:
+        return self[1]
+
+    @property
+    def radius(self) -> float:
+        return self[2]
+
+
+def find_direction(terrain: vtkImageData, time: str) -> SunPosition:
     light = vtkSkylineSunLight()
     light.UseTimeOn()
     light.SetTime(time)
-    found = [0.0, 0.0, 0.0]
+    found, eclipse = [0.0, 0.0, 0.0], [0.0, 0.0]
     with reported(light):
         light.FindDirection(terrain, found)
-    return found[0], found[1], found[2]
+        light.FindEclipse(terrain, eclipse)
+    position = SunPosition(found)
+    position.magnitude, position.obscuration = eclipse
+    return position

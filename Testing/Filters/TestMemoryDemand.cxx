@@ -9,8 +9,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace skyline
 {
@@ -39,6 +42,78 @@ TEST(MemoryDemand, TakesWhatFits)
   DemandMemory("horizons", 40000, 40000, 8.0, 12.8e9);
   DemandMemory("horizons", 40000, 40000, 1.0e6, std::numeric_limits<double>::infinity());
   EXPECT_GT(FreeMemory(), 0.0);
+}
+
+// A folder in place of / with what Linux would tell.
+class Told
+{
+public:
+  explicit Told(const std::string& name)
+    : Root(std::string(SKYLINE_TEST_OUTPUT) + "/" + name)
+  {
+    std::filesystem::remove_all(this->Root);
+    this->Say(
+      "/proc/meminfo", "MemTotal: 32000000 kB\nMemAvailable: 16000000 kB\nSwapFree: 1000000 kB\n");
+  }
+  void Say(const std::string& file, const std::string& text) const
+  {
+    std::filesystem::create_directories(std::filesystem::path(this->Root + file).parent_path());
+    std::ofstream(this->Root + file) << text;
+  }
+  double Free() const { return FreeMemory(this->Root); }
+
+private:
+  std::string Root;
+};
+
+constexpr double Swap = 1024e6;
+constexpr double Machine = 16384e6 + Swap;
+
+TEST(MemoryDemand, MachineWithoutLimits)
+{
+  const Told told("memory-machine");
+  EXPECT_EQ(told.Free(), Machine);
+  told.Say("/proc/self/cgroup", "0::/user.slice\n");
+  told.Say("/sys/fs/cgroup/user.slice/memory.max", "max\n");
+  told.Say("/sys/fs/cgroup/user.slice/memory.current", "5\n");
+  EXPECT_EQ(told.Free(), Machine);
+}
+
+// A container: the path is the host's, the limit stands in the root.
+TEST(MemoryDemand, ContainerOfControlGroupsTwo)
+{
+  const Told told("memory-two");
+  told.Say("/proc/self/cgroup", "0::/\n");
+  told.Say("/sys/fs/cgroup/memory.max", "2000000000\n");
+  told.Say("/sys/fs/cgroup/memory.current", "700000000\n");
+  told.Say("/sys/fs/cgroup/memory.stat", "anon 600000000\ninactive_file 100000000\n");
+  EXPECT_EQ(told.Free(), 1.4e9);
+  told.Say("/sys/fs/cgroup/memory.swap.max", "500000000\n");
+  told.Say("/sys/fs/cgroup/memory.swap.current", "0\n");
+  EXPECT_EQ(told.Free(), 1.9e9);
+  told.Say("/sys/fs/cgroup/memory.swap.max", "max\n");
+  EXPECT_EQ(told.Free(), 1.4e9 + Swap);
+}
+
+TEST(MemoryDemand, TheTightestGroupAboveCounts)
+{
+  const Told told("memory-nested");
+  told.Say("/proc/self/cgroup", "0::/batch/job\n");
+  told.Say("/sys/fs/cgroup/batch/job/memory.max", "9000000000\n");
+  told.Say("/sys/fs/cgroup/batch/job/memory.current", "0\n");
+  told.Say("/sys/fs/cgroup/batch/memory.max", "3000000000\n");
+  told.Say("/sys/fs/cgroup/batch/memory.current", "1000000000\n");
+  EXPECT_EQ(told.Free(), 2.0e9);
+}
+
+TEST(MemoryDemand, ContainerOfControlGroupsOne)
+{
+  const Told told("memory-one");
+  told.Say("/proc/self/cgroup", "5:cpu,cpuacct:/docker/abc\n4:memory:/docker/abc\n");
+  told.Say("/sys/fs/cgroup/memory/memory.limit_in_bytes", "1000000000\n");
+  told.Say("/sys/fs/cgroup/memory/memory.usage_in_bytes", "400000000\n");
+  told.Say("/sys/fs/cgroup/memory/memory.stat", "total_inactive_file 50000000\n");
+  EXPECT_EQ(told.Free(), 6.5e8);
 }
 
 // A tenth more than what is free, whatever machine this is; the field itself is small.

@@ -22,6 +22,7 @@ bool Interrupted()
   return false;
 }
 void StopIfInterrupted() {}
+void EndIfInterrupted() {}
 } // namespace skyline
 
 namespace

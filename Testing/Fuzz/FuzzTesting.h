@@ -8,6 +8,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
+#include "vtkOutputWindow.h"
 
 #include <cstdint>
 #include <cstdio>
@@ -64,7 +65,8 @@ inline void Demand(bool condition, const char* what)
 /// Updates; every error of the algorithm must be one line.
 inline void UpdateQuietly(vtkAlgorithm* algorithm)
 {
-  vtkObject::GlobalWarningDisplayOff();
+  // Not GlobalWarningDisplayOff, after which no error is raised either.
+  vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
   vtkNew<vtkCallbackCommand> check;
   check->SetCallback(
     [](vtkObject*, unsigned long, void*, void* text)

@@ -46,6 +46,7 @@ public:
     this->Own->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
       { static_cast<Errors*>(self)->Texts.emplace_back(static_cast<const char*>(text)); });
     algorithm->AddObserver(vtkCommand::ErrorEvent, this->Own);
+    algorithm->AddObserver(vtkCommand::WarningEvent, this->Executive); // heard by TestReaderDoubts
     // The executive adds "returned failure", which is VTK's and not ours.
     this->Executive->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
     algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Executive);
@@ -53,6 +54,7 @@ public:
   ~Errors()
   {
     this->Algorithm->RemoveObserver(this->Own);
+    this->Algorithm->RemoveObserver(this->Executive);
     this->Algorithm->GetExecutive()->RemoveObserver(this->Executive);
   }
   Errors(const Errors&) = delete;

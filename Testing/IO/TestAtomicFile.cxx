@@ -9,6 +9,7 @@
 #include <memory>
 #include <sstream>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -105,6 +106,149 @@ TEST(AtomicFile, KeepsModeAndLink)
   fresh.Commit();
   ASSERT_EQ(::stat((folder + "/fresh.tif").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0640u);
+}
+
+TEST(AtomicFile, KeepsNeitherSetuidNorMoreThanTheOldRights)
+{
+  const std::string folder = FreshFolder("rights");
+  const std::string target = folder + "/out.tif";
+  Put(target, "old");
+  ::chmod(target.c_str(), 06750);
+  AtomicFile file(target);
+  Put(file.GetPath() + ".aux.xml", "side");
+  struct stat status;
+  ASSERT_EQ(::stat(file.GetPath().c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 07777, 0600u) << "the temporary is the user's alone";
+  file.Commit();
+  for (const char* suffix : { "", ".aux.xml" })
+  {
+    ASSERT_EQ(::stat((target + suffix).c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 07777, 0750u) << suffix;
+  }
+}
+
+TEST(AtomicFile, DanglingLinksAndLoops)
+{
+  const std::string folder = FreshFolder("links");
+  std::filesystem::create_directory(folder + "/real");
+  std::filesystem::create_symlink("next.tif", folder + "/link.tif");
+  std::filesystem::create_symlink("real/out.tif", folder + "/next.tif");
+  AtomicFile file(folder + "/link.tif");
+  Put(file.GetPath(), "new");
+  file.Commit();
+  EXPECT_TRUE(std::filesystem::is_symlink(folder + "/link.tif"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder + "/next.tif"));
+  EXPECT_EQ(Get(folder + "/real/out.tif"), "new");
+  std::filesystem::create_symlink("loop.tif", folder + "/loop.tif");
+  EXPECT_NE(ReasonFor(folder + "/loop.tif").find("symbolic links; choose"), std::string::npos);
+}
+
+// What a descriptor of the process names gets the bytes where it stands.
+TEST(AtomicFile, Descriptors)
+{
+  const std::string folder = FreshFolder("descriptor");
+  Put(folder + "/log", "before ");
+  const int log = ::open((folder + "/log").c_str(), O_WRONLY | O_APPEND);
+  ASSERT_GE(log, 0);
+  const std::string name = "/dev/fd/" + std::to_string(log);
+  std::filesystem::create_symlink(name, folder + "/link.tif");
+  for (const std::string& target : { name, folder + "/link.tif" })
+  {
+    AtomicFile file(target);
+    Put(file.GetPath(), "result ");
+    file.Commit();
+  }
+  ::close(log);
+  EXPECT_EQ(Get(folder + "/log"), "before result result ");
+  const int closed = ::open((folder + "/log").c_str(), O_RDONLY);
+  EXPECT_NE(
+    ReasonFor("/dev/fd/" + std::to_string(closed)).find("Bad file descriptor"), std::string::npos);
+  ::close(closed);
+}
+
+TEST(AtomicFile, APipeWithoutReaderEndsAndOneWithAReaderIsFilled)
+{
+  const std::string folder = FreshFolder("pipe");
+  ASSERT_EQ(::mkfifo((folder + "/pipe").c_str(), 0600), 0);
+  const pid_t child = ::fork();
+  if (child == 0)
+  {
+    ::usleep(300000); // the reader may come later
+    ::_exit(Get(folder + "/pipe") == "result" ? 0 : 1);
+  }
+  AtomicFile file(folder + "/pipe");
+  Put(file.GetPath(), "result");
+  file.Commit();
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+}
+
+// The temporary of a process that was killed goes, those that are held stay, in whatever process.
+TEST(AtomicFile, SweepsWhatTheDeadLeft)
+{
+  const std::string folder = FreshFolder("sweep");
+  int ready[2];
+  ASSERT_EQ(::pipe(ready), 0);
+  const pid_t child = ::fork();
+  if (child == 0)
+  {
+    const AtomicFile file(folder + "/out.tif");
+    Put(file.GetPath() + ".aux.xml", "side");
+    Put(file.GetIntermediatePath(), "between");
+    ::close(ready[1]);
+    for (;;)
+    {
+      ::pause();
+    }
+  }
+  ::close(ready[1]);
+  char none;
+  EXPECT_EQ(::read(ready[0], &none, 1), 0); // until the child has it
+  ::close(ready[0]);
+  const AtomicFile mine(folder + "/mine.tif");
+  {
+    const AtomicFile other(folder + "/other.tif");
+    EXPECT_EQ(FilesIn(folder).size(), 5u);
+  }
+  ::kill(child, SIGKILL);
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  {
+    const AtomicFile other(folder + "/other.tif");
+    EXPECT_EQ(FilesIn(folder).size(), 2u);
+  }
+  EXPECT_EQ(FilesIn(folder).size(), 1u);
+}
+
+// Signals that nobody caught end the process as before, but without temporaries.
+TEST(AtomicFile, DefaultSignalsLeaveNothing)
+{
+  const std::string folder = FreshFolder("default");
+  for (const int number : { SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGABRT })
+  {
+    const pid_t child = ::fork();
+    if (child == 0)
+    {
+      std::signal(number, SIG_DFL);
+      const AtomicFile file(folder + "/out.tif");
+      ::raise(number);
+      ::_exit(1);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFSIGNALED(status)) << number;
+    EXPECT_EQ(WTERMSIG(status), number);
+    EXPECT_TRUE(FilesIn(folder).empty()) << number;
+  }
+  // Afterwards handlers are as they were; those of the program are never touched.
+  std::signal(SIGHUP, SIG_IGN);
+  {
+    const AtomicFile file(folder + "/out.tif");
+    EXPECT_EQ(std::signal(SIGHUP, SIG_IGN), SIG_IGN);
+  }
+  EXPECT_EQ(std::signal(SIGHUP, SIG_DFL), SIG_IGN);
+  EXPECT_EQ(std::signal(SIGTERM, SIG_DFL), SIG_DFL);
 }
 
 TEST(AtomicFile, ReasonsNameTheFileAndTheCure)

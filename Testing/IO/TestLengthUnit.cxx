@@ -25,6 +25,11 @@ TEST(LengthUnit, Metres)
   {
     EXPECT_EQ(Metres(name), 1.0) << name;
   }
+  EXPECT_EQ(Metres("gpm"), 1.0);
+  EXPECT_EQ(Metres("[gpm]"), 1.0);
+  EXPECT_EQ(Metres("geopotential meters"), 1.0);
+  EXPECT_EQ(Metres("gpdam"), 10.0);
+  EXPECT_EQ(Metres("yard"), 0.9144);
   EXPECT_EQ(Metres("dm"), 0.1);
   EXPECT_EQ(Metres("centimeters"), 0.01);
   EXPECT_EQ(Metres("km"), 1000.0);
@@ -56,4 +61,13 @@ TEST(LengthUnit, Others)
     EXPECT_EQ(ReadUnitName(name, metres), UnitName::Unknown) << name;
   }
   EXPECT_EQ(metres, 5.0);
+}
+
+TEST(LengthUnit, ProductsAndPowersAreNoLengths)
+{
+  for (const char* name : { "m s-1", "m/s", "m / s", "m s^-1", "m**2 s**-2", "m2 s-2", "m^2" })
+  {
+    double metres = -1.0;
+    EXPECT_EQ(ReadUnitName(name, metres), UnitName::Unknown) << name;
+  }
 }

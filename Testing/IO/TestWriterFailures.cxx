@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 
 #include <sys/mount.h>
 #include <sys/resource.h>
@@ -293,6 +294,97 @@ TEST(WriterFailures, SignalLeavesNothing)
     EXPECT_EQ(WEXITSTATUS(status), 130) << way.Name;
     EXPECT_TRUE(FilesIn(folder).empty()) << way.Name;
   }
+}
+
+// What lies in the file at the end is compared with the arrays: a number that changes meanwhile is
+// found as one that was stored wrong would be, and a byte that changes in the file is too.
+TEST(WriterFailures, WhatIsReadBackMustBeWhatWasWritten)
+{
+  const std::string folder = FreshFolder("verify");
+  for (const bool inFile : { false, true })
+  {
+    const auto image = Noise(300, 200);
+    struct Spoiler
+    {
+      vtkImageData* Image;
+      std::string Folder;
+      bool InFile;
+      bool Done;
+    };
+    for (const Way& way : AllWays(image))
+    {
+      if (inFile && std::string(way.Name) == "picture.tif")
+      {
+        continue; // GDAL holds all of it back until the file is closed
+      }
+      Spoiler spoiler{ image, folder, inFile, false };
+      vtkNew<vtkCallbackCommand> spoil;
+      spoil->SetClientData(&spoiler);
+      spoil->SetCallback(
+        [](vtkObject* object, unsigned long, void* data, void*)
+        {
+          auto* self = static_cast<Spoiler*>(data);
+          constexpr double written = 0.89; // checking follows
+          if (self->Done || vtkAlgorithm::SafeDownCast(object)->GetProgress() < written)
+          {
+            return;
+          }
+          self->Done = true;
+          if (!self->InFile)
+          {
+            vtkPointData* points = self->Image->GetPointData();
+            for (int i = 0; i < points->GetNumberOfArrays(); ++i)
+            {
+              vtkDataArray* array = points->GetArray(i);
+              array->SetComponent(100, 0, array->GetComponent(100, 0) == 7.0 ? 8.0 : 7.0);
+            }
+            return;
+          }
+          for (const std::string& name : FilesIn(self->Folder))
+          {
+            std::fstream file(self->Folder + "/" + name);
+            const auto middle = static_cast<std::streamoff>(
+              std::filesystem::file_size(self->Folder + "/" + name) / 2);
+            file.seekg(middle);
+            const int byte = file.get();
+            file.seekp(middle);
+            file.put(static_cast<char>(~byte));
+          }
+        });
+      const unsigned long tag = way.Sink->AddObserver(vtkCommand::ProgressEvent, spoil);
+      const std::string message = Fail(way.Sink, folder + "/" + way.Name);
+      way.Sink->RemoveObserver(tag);
+      EXPECT_TRUE(spoiler.Done) << way.Name;
+      const bool different =
+        Contains(message, "is not what was written; the memory or the disk may be at fault");
+      EXPECT_TRUE(different || (inFile && Contains(message, "read back")))
+        << way.Name << ": " << message;
+      EXPECT_TRUE(FilesIn(folder).empty()) << way.Name;
+    }
+  }
+}
+
+TEST(WriterFailures, SourcesAreNotReplaced)
+{
+  const std::string folder = FreshFolder("source");
+  const std::string dem = folder + "/dem.tif";
+  const auto image = Noise(30, 20);
+  vtkNew<vtkHeightFieldWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(dem.c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  std::filesystem::create_hard_link(dem, folder + "/hard.tif");
+  vtkNew<vtkHeightFieldReader> reader;
+  reader->SetFileName(("GTIFF_DIR:1:" + dem).c_str());
+  writer->SetInputConnection(reader->GetOutputPort());
+  for (const char* name : { "/dem.tif", "/hard.tif", "/../source/dem.tif" })
+  {
+    const std::string message = Fail(writer, folder + name);
+    EXPECT_TRUE(Contains(message, "part of the input")) << message;
+  }
+  writer->SetFileName((folder + "/other.tif").c_str());
+  EXPECT_EQ(writer->Write(), 1);
+  EXPECT_EQ(FilesIn(folder).size(), 3u);
 }
 
 TEST(WriterFailures, ProgressRises)

@@ -200,9 +200,31 @@ class Irradiance(ToolTest):
 
     def test_thread_counts(self):
         dem = make(self.path("dem.tif"), hills(40, 50), epsg=UTM10)
-        one = self.irradiance(dem, "--environment", "cie:12", "--threads", "1")
-        two = self.irradiance(dem, "--environment", "cie:12", "--threads", "2")
+        sky = ["--environment", "cie:12", "--sun", "100,30"]
+        one = self.irradiance(dem, *sky, "--threads", "1")
+        two = self.irradiance(dem, *sky, "--threads", "2")
         self.assertTrue(np.array_equal(one, two))
+
+    def test_a_sun_below_the_horizon_is_no_light(self):
+        # Perez's sky is a sky of the sun: with the sun down it is as dark as any sun that is down.
+        level = self.level()
+        for sky in [[], ["--environment", "perez:700,120"]]:
+            for elevation in ["-5", "-0.5", "-90"]:
+                light = self.irradiance(level, *sky, "--sun", "100," + elevation, "--sun-radius", "0.2")
+                self.assertEqual(light.max(), 0.0)
+
+    def test_a_lamp_in_another_crs_warns_with_the_distance(self):
+        dem = make(self.path("dem.tif"), hills(9, 8), epsg=UTM10)  # corner 500000, 5100000
+        for where, far in [("-123.0,46.05", "5124 km"),  # the place in degrees
+                           ("500120,5140005", "39.75 km")]:  # the north-most posts lie at 5100255
+            done = self.run_program("irradiance", dem, "-o", self.path("out.tif"), "--lamp",
+                                    where + ",1200,5")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertRegex(done.stderr, "^warning: lamp 1 stands " + far + " beside the height field, "
+                             "too far to light it; assuming its X and Y are coordinates in the CRS")
+        # As bright as the sun, and as wide: a far lamp that lights the field.
+        self.succeed("irradiance", dem, "-o", self.path("out.tif"), "--lamp",
+                     "500120,5140000,20000,300")
 
     def test_refusals(self):
         dem = make(self.path("dem.tif"), hills(9, 8), epsg=UTM10)
@@ -210,24 +232,20 @@ class Irradiance(ToolTest):
         for options, says in [
                 (["--environment", self.path("no.hdr")], "no.hdr"),
                 (["--environment", dem], "dem.tif"),
-                (["--environment", self.path("")], ""),
-                (["--environment", "perez:100,100", "--sun", "10,-5"], "above the horizon"),
-                (["--sun", "10,95"], "out of range"),
-                (["--lamp", "0,0,0,-1"], "radius"),
-                (["--lamp", "0,0,0,1,-1,0,0"], "radiance"),
-                (["--azimuths", "0"], "0 azimuths"),
-                (["--azimuths", "1000000000"], "1000000000 azimuths"),
-                (["--time", "yesterday"], "yesterday")]:
+                (["--environment", self.folder], "")]:
             self.refused(1, "irradiance", dem, "-o", out, *options, says=says)
         self.refused(1, "irradiance", self.path("nowhere.tif"), "-o", out, says="nowhere.tif")
         self.refused(1, "irradiance", dem, "-o", self.path("no/such/out.tif"))
         self.refused(1, "irradiance", dem, "-o", "/dev/full")
-        self.refused(1, "irradiance", dem, "-o", dem, says="DEM itself")
+        self.refused(1, "irradiance", dem, "-o", dem, says="part of the input")
 
     def test_wrong_usage(self):
         dem = make(self.path("dem.tif"), hills(9, 8), epsg=UTM10)
         out = self.path("out.tif")
-        for options in [["--environment", "cie:17"], ["--environment", "cie:2.5"],
+        for options in [["--sun", "10,95"], ["--lamp", "0,0,0,-1"], ["--lamp", "0,0,0,1,-1,0,0"],
+                        ["--azimuths", "0"], ["--azimuths", "1000000000"], ["--time", "yesterday"],
+                        ["--environment", "perez:100,100"],
+                        ["--environment", "cie:17"], ["--environment", "cie:2.5"],
                         ["--environment", "perez:1"], ["--environment", "perez:1,0"],
                         ["--lamp", "1,2,3"], ["--lamp", "1,2,3,4,5"], ["--lamp", "a,b,c,d"],
                         ["--method", "exact"], ["--horizon", "table"], ["--bands", "9"],

@@ -33,7 +33,7 @@ class ShadeLights(ToolTest):
                  ["read", "light map", "irradiance", "shading", "write"]),
                 (["--environment", "cie:12"],
                  ["read", "sun", "irradiance", "shading", "write"]),
-                (["--environment", "perez:500,100"], ["read", "irradiance", "shading", "write"]),
+                (["--environment", "perez:500,100", "--sun", "100,30"], ["read", "irradiance", "shading", "write"]),
                 (["--lamp", self.lamp],
                  ["read", "sun", "irradiance", "sky view", "shading", "write"])]:
             self.assertEqual(self.passes(*options), expected, options)

@@ -11,11 +11,15 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <vector>
+
+#include <sys/stat.h>
 
 using namespace skyline_test;
 using skyline::LightMap;
@@ -266,6 +270,35 @@ TEST(LightMapReader, DefectsAreMendedAndCounted)
   EXPECT_EQ(reader->GetNumberOfInfinitePixels(), 0);
 }
 
+TEST(LightMapReader, MendedPixelsAreSaid)
+{
+  Picture picture;
+  picture.Value = [](int column, int line, int) {
+    return line > 0 ? 2.0 : column < 2 ? -0.5 : column < 5 ? NaN : column == 5 ? Infinity : 2.0;
+  };
+  for (const bool defects : { true, false })
+  {
+    vtkNew<vtkLightMapReader> reader;
+    std::vector<std::string> said;
+    vtkNew<vtkCallbackCommand> listen;
+    listen->SetClientData(&said);
+    listen->SetCallback([](vtkObject*, unsigned long, void* texts, void* text)
+      { static_cast<std::vector<std::string>*>(texts)->emplace_back(static_cast<char*>(text)); });
+    reader->AddObserver(vtkCommand::WarningEvent, listen);
+    reader->SetFileName(Write("said.exr", defects ? picture : Picture()).c_str());
+    reader->Update();
+    ASSERT_EQ(said.size(), defects ? 1u : 0u);
+    if (defects)
+    {
+      EXPECT_NE(
+        said[0].find("2 negative, 3 that are no numbers, 1 infinite; assuming 0 for them, the "
+                     "greatest finite value of their channel for the infinite ones"),
+        std::string::npos)
+        << said[0];
+    }
+  }
+}
+
 TEST(LightMapReader, HugeSunStaysAsItIs)
 {
   Picture picture;
@@ -428,7 +461,41 @@ TEST(LightMapReaderFailures, HugeHeader)
   std::ofstream(path) << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1000000 +X 2000000\n";
   ExpectFailure(path, vtkErrorCode::FileFormatError, "32768 x 16384 at most");
   std::ofstream(path) << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8192 +X 16384\n";
+  ExpectFailure(path, vtkErrorCode::FileFormatError, "64 pixels a byte");
+  std::ofstream(path) << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2048 +X 4096\n"; // believed
   ExpectFailure(path, vtkErrorCode::PrematureEndOfFileError, "cannot read the pixels");
+}
+
+// A display window of gigabytes around a few pixels, and tiles of gigabytes in a small image.
+TEST(LightMapReaderFailures, ClaimsBeyondTheFile)
+{
+  Picture picture;
+  picture.FullColumns = 32768;
+  picture.FullLines = 16384;
+  ExpectFailure(Write("window.exr", picture), vtkErrorCode::FileFormatError, "64 pixels a byte");
+
+  picture = Picture();
+  picture.Tile = 4;
+  const std::string tiled = Write("tiles.exr", picture);
+  std::fstream file(tiled, std::ios::in | std::ios::out | std::ios::binary);
+  const std::string bytes{ std::istreambuf_iterator<char>(file), {} };
+  const std::string attribute("tiles\0tiledesc\0", 15);
+  const std::size_t at = bytes.find(attribute);
+  ASSERT_NE(at, std::string::npos);
+  file.clear();
+  file.seekp(static_cast<std::streamoff>(at + attribute.size() + 4));
+  const std::array<std::uint32_t, 2> size{ 16384, 16384 };
+  file.write(reinterpret_cast<const char*>(size.data()), sizeof(size));
+  file.close();
+  ExpectFailure(tiled, vtkErrorCode::FileFormatError, "tiles with 3 channels take 3072 MB");
+}
+
+// It would wait for a writer.
+TEST(LightMapReaderFailures, Pipe)
+{
+  const std::string path = FreshFolder("pipes") + "/pipe.exr";
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  ExpectFailure(path, vtkErrorCode::CannotOpenFileError, "a pipe or a device");
 }
 
 TEST(LightMapReaderFailures, NotTwoToOneAndNoCube)

@@ -101,14 +101,14 @@ class Perspective(ToolTest):
         dem = make(self.path("dem.tif"), hills(10, 10))
         view = ["shade", dem, "--view", "perspective", "-o"]
         for name in ["out.tif", "out.exr"]:
-            self.refused(1, *view, self.path(name), says="ends in .png")
+            self.refused(2, *view, self.path(name), says="ends in .png")
         png = [*view, self.path("out.png")]
         for size in ["0x5", "5x9000", "-1x4"]:
-            self.refused(1, *png, "--size", size, says="size is out of range")
+            self.refused(2, *png, "--size", size, says="1x1 to 8192x8192")
         for size in ["5", "5x", "axb", "5x5x5"]:
             self.refused(2, *png, "--size", size, says="WxH")
         for place in ["10,91", "10,-1"]:
-            self.refused(1, *png, "--from", place, says="elevation is out of range")
+            self.refused(2, *png, "--from", place, says="is out of range")
         for place in ["10", "a,b", "nan,3", "1,2,3"]:
             self.refused(2, *png, "--from", place, says="AZ,EL")
 

@@ -9,6 +9,7 @@ import sys
 import tempfile
 import time
 import unittest
+import warnings
 
 import numpy as np
 import skyline
@@ -92,9 +93,49 @@ class BadInput(unittest.TestCase):
             self.refused(ValueError, "radius is .*below 90", sun, Z, 10.0, (1, 2), radius=radius)
         self.refused(skyline.Error, "place|georeference|CRS", sun, Z, 10.0, time="2026-06-21T06:00Z")
         place = {"crs": "EPSG:32631", "transform": NORTH_UP}
-        self.refused(skyline.Error, "yesterday", sun, Z, time="yesterday", **place)
-        self.refused(skyline.Error, "1800", sun, Z, time="1800-01-01", **place)
+        self.refused(ValueError, "yesterday.*is not a time", sun, Z, time="yesterday", **place)
+        self.refused(ValueError, "1800.*1900 to 2100", sun, Z, time="1800-01-01", **place)
         self.refused(TypeError, "time is 5", sun, Z, time=5, **place)
+
+        for time in ["2026-02-30T06:00Z", "2026-06-21T06:00+99:00", "2026-06-21T25:00Z", "", "2026"]:
+            self.refused(ValueError, "is not a time", sun, Z, time=time, **place)
+        with self.assertWarnsRegex(UserWarning, "06:00 has no zone; assuming UTC; use time='2026.*Z'"):
+            sun(Z, time="2026-06-21 06:00", **place)
+
+    def test_times_as_python_prints_them(self):
+        place = {"crs": "EPSG:32631", "transform": NORTH_UP}
+        wanted = skyline.sun_visibility(Z, time="2026-06-21T04:30Z", **place)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for time in ["2026-06-21 04:30:00+00:00", "2026-06-21 06:30:00.000000000+0200",
+                         "2026-06-21 04:30:00 UTC", "2026-06-21T06:30+02"]:
+                np.testing.assert_array_equal(skyline.sun_visibility(Z, time=time, **place), wanted)
+
+    def test_what_cannot_act(self):
+        light, sun = skyline.irradiance, {"sun": (1.0, 20.0)}
+        self.refused(ValueError, "radius is 0.*limb", skyline.sun_visibility, Z, 10.0, (1, 2), radius=0,
+                     limb_darkening=True)
+        self.refused(ValueError, "perez.*give sun=", light, Z, 10.0, "perez:800,100")
+        for sky in ["uniform", "cie:1"]:
+            self.refused(ValueError, "same all around", light, Z, 10.0, sky, rotation=9.0, **sun)
+        with self.assertWarnsRegex(UserWarning, "rotation turns the sky cie:12.*away from the sun"):
+            light(Z, 10.0, "cie:12", rotation=9.0, **sun)
+        self.refused(ValueError, "no light map is given", light, Z, 10.0, rotation=9.0, **sun)
+        for name in ["sun_irradiance", "radius"]:
+            self.refused(ValueError, f"{name} is given, but no sun", light, Z, 10.0, **{name: 1.0})
+        self.refused(ValueError, "lamps are no matter", light, Z, 10.0, lamps=[(1, 2, 3, 4)],
+                     light_method="sh")
+        for method in ["sweep", "pyramid"]:
+            self.refused(ValueError, "surface is 'bilinear'", skyline.horizon, Z, 10.0, method=method,
+                         surface="bilinear")
+        self.refused(ValueError, "method is 'pyramid'", skyline.shadow_height, Z, 10.0, method="pyramid",
+                     **sun)
+        self.refused(ValueError, "surface is 'bilinear'", skyline.shadow_height, Z, 10.0,
+                     surface="bilinear", **sun)
+        with self.assertWarnsRegex(UserWarning, "cie:12 is brighter about the sun.*assuming its sun"):
+            light(Z, 10.0, "cie:12")
+        with self.assertWarnsRegex(UserWarning, "lamp 1 stands 5000 km beside"):
+            light(Z, 10.0, lamps=[(5e6, 0.0, 3.0, 1.0)])
 
     def test_places(self):
         to_image = skyline.to_image

@@ -139,14 +139,39 @@ class Numbers(unittest.TestCase):
             skyline.sky_view(hills() - 5000.0, 10.0, 8)
         high = hills().astype(np.float32)
         high[3, 3] = np.finfo(np.float32).max
-        with self.assertWarnsRegex(UserWarning, r"highest height .*nodata=([^ ]+)") as warned:
+        with self.assertWarnsRegex(UserWarning, r"1 post of the array has the height .*nodata=([^ ]+)") as warned:
             skyline.sky_view(high, 10.0, 8)
         told = float(str(warned.warning).split("nodata=")[1].split()[0])
         self.assertEqual(np.isnan(skyline.sky_view(high, 10.0, 8, nodata=told)).sum(), 1)
 
+    def test_nodata_of_files(self):
+        z = hills()
+        z[3, 3], z[30, 20] = -9999.0, -32768.0
+        with tempfile.TemporaryDirectory() as folder:
+            file = folder + "/dem.tif"
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # writing looks at no heights, making the place does
+                skyline.write(file, z, spacing=10.0)
+            with self.assertWarnsRegex(UserWarning, "1 post of '.*dem.tif' has the height -9999.*nodata=-9999"):
+                skyline.sky_view(file, azimuths=8)
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                seen = skyline.sky_view(file, azimuths=8, nodata=[-9999, -32768.0])
+                image = skyline.read(file, nodata=[-9999, -32768.0])
+            self.assertEqual(np.isnan(seen).sum(), 2)
+            self.assertEqual(np.isnan(skyline.to_array(image)).sum(), 2)
+            self.assertTrue(np.array_equal(
+                seen, skyline.sky_view(z, 10.0, 8, nodata=[-9999, -32768]), equal_nan=True))
+            with self.assertRaisesRegex(TypeError, "nodata is 'x'; give a number, or several"):
+                skyline.read(file, nodata="x")
+            with self.assertRaisesRegex(TypeError, "nodata is given"):
+                skyline.sky_view(image, nodata=-9999)
+
     def test_degrees_taken_for_metres_warn(self):
-        with self.assertWarnsRegex(UserWarning, "spacing of 0.000833.*crs"):
+        with self.assertWarnsRegex(UserWarning, "looks like degrees.*spacing of 0.000833 metres.*CRS"):
             skyline.sky_view(hills(), 0.000833, 8)
+        with self.assertWarnsRegex(UserWarning, "looks like degrees"):
+            skyline.to_image(hills(), transform=(7.0, 0.000833, 0.0, 46.0, 0.0, -0.000833))
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             skyline.sky_view(hills(), 1.0, 8)

@@ -14,7 +14,7 @@ CLASSES = [
     "vtkHeightFieldSunShadow", "vtkHeightFieldShading", "vtkHeightFieldSkyLight",
     "vtkHeightFieldSurface", "vtkSkylineEGLWindow", "vtkSoftShadowPolyDataMapper",
     "vtkSoftShadowShader", "vtkHeightFieldVisibility", "vtkHeightFieldTransfer",
-    "vtkHeightFieldIrradiance", "vtkSkylineLight", "vtkSkylineEnvironmentLight",
+    "vtkHeightFieldInspection", "vtkHeightFieldIrradiance", "vtkSkylineLight", "vtkSkylineEnvironmentLight",
     "vtkSkylineKeyLight", "vtkSkylineLampLight", "vtkSkylineSunLight", "vtkLightMapReader",
     "vtkShadowHeightMap", "vtkShadowReceiver", "vtkHeightFieldCap",
     "vtkOpenGLHeightFieldDevice", "vtkOpenGLHeightFieldHorizon",

@@ -85,12 +85,38 @@ TEST(ColorMaps, PlacesOfHeights)
   EXPECT_NEAR(skyline::PlaceOnMap(sea, 1000.0, -3000.0, 1000.0), 2.0 / 3.0, RoundTolerance);
 }
 
+TEST(ColorMaps, BlueBelowHeightZeroAndOnlyThere)
+{
+  const skyline::ColorMap& sea = *skyline::FindColorMap("ocean");
+  for (const double reach : { 1e-3, 30.0, 9000.0 })
+  {
+    for (const double height : { 1.0, 0.5, 0.1, 1e-3, 1e-9, 1e-300 })
+    {
+      for (const double low : { -reach, 0.0 })
+      {
+        const auto color = [&](double z)
+        { return skyline::ColorAt(sea, skyline::PlaceOnMap(sea, z, low, reach)); };
+        const skyline::Rgb under = color(-height * reach);
+        const skyline::Rgb over = color(height * reach);
+        EXPECT_GT(under[2], 1.2f * under[0]) << height << " of " << reach;
+        EXPECT_LT(over[2], over[0]) << height << " of " << reach;
+      }
+    }
+    const skyline::Rgb coast = skyline::ColorAt(sea, skyline::PlaceOnMap(sea, 0.0, -reach, reach));
+    EXPECT_LT(coast[2], coast[0]);
+  }
+}
+
 TEST(ColorMaps, NeighbouringPlacesHaveNeighbouringColours)
 {
   for (const skyline::ColorMap& map : skyline::ColorMaps())
   {
     for (int i = 0; i < 1000; ++i)
     {
+      if (map.SeaCount > 0 && i == 499)
+      {
+        continue; // the coast
+      }
       const skyline::Rgb a = skyline::ColorAt(map, i / 1000.0);
       const skyline::Rgb b = skyline::ColorAt(map, (i + 1) / 1000.0);
       for (std::size_t c = 0; c < 3; ++c)

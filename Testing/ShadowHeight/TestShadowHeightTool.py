@@ -54,13 +54,29 @@ class ShadowHeight(ToolTest):
         self.assertGreater(np.count_nonzero(lit == 0.0), 1000)
         self.assertTrue(np.array_equal(shadow > heights, lit == 0.0))
 
+    def test_a_set_sun_gives_nodata_and_says_so(self):
+        dem = make(self.path("dem.tif"), hills(15, 14), epsg=UTM10)
+        for elevation in ["0", "-5"]:
+            done = self.run_program(
+                "shadow-height", dem, "-o", self.path("out.tif"), "--sun", "120," + elevation)
+            self.assertEqual(done.returncode, 0)
+            self.assertRegex(done.stderr, "^warning: the sun's centre stands at " + elevation +
+                             " degrees, .*; assuming .* nodata in a raster\n$")
+            self.assertTrue(np.all(np.isnan(read(self.path("out.tif"))[0])))
+            done = self.succeed(
+                "shadow-height", dem, "-o", self.path("out.tif"), "--sun", "120," + elevation, "--quiet")
+            self.assertEqual(done.stderr, "")
+        done = self.succeed("shadow-height", dem, "-o", self.path("out.tif"), "--sun", "120,0.1")
+        self.assertNotIn("warning", done.stderr)
+        self.assertFalse(np.any(np.isnan(read(self.path("out.tif"))[0])))
+
     def test_refusals(self):
         dem = make(self.path("dem.tif"), hills(5, 6))
         out = ["-o", self.path("no.tif")]
-        self.refused(1, "shadow-height", dem, *out, "--limb-darkening", says="--limb-darkening")
-        self.refused(1, "shadow-height", dem, *out, "--method", "pyramid", says="pyramid")
-        self.refused(1, "shadow-height", dem, *out, "--surface", "bilinear", says="triangles")
-        self.refused(1, "shadow-height", dem, *out, "--sun", "10,91", says="elevation 91")
+        self.refused(2, "shadow-height", dem, *out, "--limb-darkening", says="--limb-darkening")
+        self.refused(2, "shadow-height", dem, *out, "--method", "pyramid", says="exact,fast,sweep")
+        self.refused(2, "shadow-height", dem, *out, "--surface", "bilinear", says="--surface")
+        self.refused(2, "shadow-height", dem, *out, "--sun", "10,91", says="elevation 91")
         self.refused(2, "shadow-height", dem, says="--output")
         self.assertFalse(os.path.exists(self.path("no.tif")))
 

@@ -45,7 +45,7 @@ class BadInput(ToolTest):
         self.refuse(self.folder)
 
     def test_empty_name(self):
-        self.refused(1, "horizon", "", "-o", self.path("out.tif"))
+        self.refused(2, "horizon", "", "-o", self.path("out.tif"), says="DEM: the value is empty")
 
     def test_cut_off_file(self):
         with open(self.path("cut.tif"), "wb") as cut:
@@ -53,11 +53,11 @@ class BadInput(ToolTest):
         self.refused(1, "horizon", self.path("cut.tif"), "-o", self.path("out.tif"))
 
     def test_no_such_band(self):
-        for band in [0, 2, -1, 1000000]:
+        for band, code in [(0, 2), (-1, 2), (2, 1), (1000000, 1)]:
             with self.subTest(band=band):
-                self.refused(1, "horizon", self.dem, "-o", self.path("out.tif"), "--band", band,
+                self.refused(code, "horizon", self.dem, "-o", self.path("out.tif"), "--band", band,
                              says="band")
-                self.refused(1, "sun", self.dem, "--band", band, says="band")
+                self.refused(code, "sun", self.dem, "--band", band, says="band")
 
     def test_all_posts_missing(self):
         dem = make(self.path("empty.tif"), np.full((8, 9), np.nan), nodata=-9999.0)
@@ -94,58 +94,10 @@ class BadInput(ToolTest):
         raster = None
         self.refuse(self.dem)
 
-    def test_azimuths_out_of_range(self):
-        for azimuths in [0, -1, 1000000000]:
-            for command in ["horizon", "sky-view"]:
-                with self.subTest(command=command, azimuths=azimuths):
-                    self.refused(1, command, self.dem, "-o", self.path("out.tif"), "--azimuths",
-                                 azimuths, says="azimuths")
-
-    def test_time_that_cannot_be_read(self):
-        for time in ["noon", "2026-13-01T00:00Z", "2026-02-30T00:00Z", "2026-06-21T25:00Z",
-                     "2026-06-21 06:00 please", "06:00"]:
-            with self.subTest(time=time):
-                self.refused(1, "sun", self.dem, "--time=" + time)
-                self.refused(1, "sun", self.dem, "--time=" + time, "-o", self.path("out.tif"))
-                self.refused(1, "shade", self.dem, "--time=" + time, "-o", self.path("out.png"))
-
-    def test_time_out_of_range(self):
-        for time in ["0001-01-01T00:00Z", "1850-06-21T06:00Z", "2500-06-21T06:00Z"]:
-            with self.subTest(time=time):
-                self.refused(1, "sun", self.dem, "--time", time)
-                self.refused(1, "sun", self.dem, "--time", time, "-o", self.path("out.tif"))
-
     def test_time_without_a_place(self):
         dem = make(self.path("nowhere.tif"), hills(20, 30))
         for options in [[], ["-o", self.path("out.tif")]]:
             self.refused(1, "sun", dem, "--time", "2026-06-21T06:00Z", *options, says="--sun")
-
-    def test_elevation_out_of_range(self):
-        for sun in ["0,90.001", "0,-91", "0,1e9", "0,nan", "nan,45", "inf,45"]:
-            with self.subTest(sun=sun):
-                self.refused(1, "sun", self.dem, "--sun", sun)
-                self.refused(1, "sun", self.dem, "--sun", sun, "-o", self.path("out.tif"))
-                self.refused(1, "shade", self.dem, "--sun", sun, "-o", self.path("out.png"))
-
-    def test_other_numbers_out_of_range(self):
-        out = ["-o", self.path("out.tif")]
-        for command, options in [
-                ("sun", ["--sun-radius", "-0.5"]),
-                ("sun", ["--sun-radius", "91"]),
-                ("sun", ["--sun-radius", "nan"]),
-                ("horizon", ["--tolerance", "-1"]),
-                ("horizon", ["--tolerance", "nan"]),
-                ("horizon", ["--refraction", "nan"]),
-                ("horizon", ["--refraction", "1"]),
-                ("shade", ["--exaggeration", "0"]),
-                ("shade", ["--exaggeration", "-1"]),
-                ("shade", ["--exaggeration", "nan"])]:
-            with self.subTest(command=command, options=options):
-                self.refused(1, command, self.dem, *out, *options)
-
-    def test_surface_that_a_method_does_not_know(self):
-        self.refused(1, "horizon", self.dem, "-o", self.path("out.tif"), "--surface", "bilinear",
-                     "--method", "sweep")
 
     def test_missing_light_map(self):
         self.refused(1, "shade", self.dem, "-o", self.path("out.png"), "--environment", "no.hdr",
@@ -161,20 +113,12 @@ class BadInput(ToolTest):
         for command in WRITERS:
             self.refused(1, command, self.dem, "-o", self.path("taken.tif"), says="taken.tif")
 
-    def test_output_is_empty_or_the_input(self):
+    def test_output_is_the_input(self):
         before = content(self.dem)
         os.symlink(self.dem, self.path("link.tif"))
         for name in [self.dem, self.path("link.tif")]:
             self.refused(1, "horizon", self.dem, "-o", name, says="DEM")
         self.assertEqual(content(self.dem), before)
-        self.refused(1, "horizon", self.dem, "-o", "")
-
-    def test_picture_of_unknown_kind(self):
-        for name in ["out.gif", "out", "png"]:
-            self.refused(1, "shade", self.dem, "-o", self.path(name), says=".png")
-
-    def test_raster_of_unknown_kind(self):
-        self.refused(1, "horizon", self.dem, "-o", self.path("out.png"), says=".tif")
 
     def test_full_disk(self):
         os.symlink("/dev/full", self.path("full.tif"))

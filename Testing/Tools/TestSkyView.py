@@ -39,6 +39,22 @@ class SkyView(ToolTest):
         for name, values in some.items():
             self.assertTrue(np.array_equal(values, every[name]))
 
+    def test_edge_trust_is_asked_for(self):
+        dem = make(self.path("dem.tif"), np.full((41, 41), 99.0), epsg=UTM10)
+        trust = self.sky_view(
+            dem, "--quantity", "EdgeTrust", "--edge-distance", "150")["EdgeTrust"]
+        raster = gdal.Open(self.path("out.tif"))
+        self.assertEqual(raster.GetRasterBand(1).GetUnitType(), "1")
+        for (row, column), azimuths in {(20, 20): 72, (0, 20): 37, (20, 40): 37, (40, 0): 19}.items():
+            self.assertAlmostEqual(trust[row, column], azimuths / 72, places=6)
+        self.assertEqual(trust[5, 20], 1.0)
+        self.assertLess(trust[4, 20], 1.0)
+        self.refused(2, "sky-view", dem, "-o", self.path("no.tif"), "--edge-distance", "150",
+                     says="--edge-distance is for --quantity EdgeTrust")
+        for wrong in ["-1", "nan", "far"]:
+            self.refused(2, "sky-view", dem, "-o", self.path("no.tif"), "--quantity", "EdgeTrust",
+                         "--edge-distance", wrong, says="--edge-distance")
+
     def test_level_ground_sees_the_whole_sky(self):
         dem = make(self.path("dem.tif"), np.full((12, 15), 99.0))
         sky = self.sky_view(dem)

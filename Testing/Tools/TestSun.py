@@ -91,6 +91,27 @@ class Position(ToolTest):
         for azimuth, wrapped in [("-45", 315.0), ("360", 0.0), ("725", 5.0), ("-3600", 0.0)]:
             self.assertEqual(self.position(dem, "--sun", azimuth + ",10")["azimuth"], wrapped)
 
+    def test_an_eclipse_is_told(self):
+        # Burgos, 2026-08-12: total from 18:28:19 to 18:30:03 UTC.
+        dem = make(self.path("dem.tif"), np.full((5, 5), 860.0), step=(0.01, 0.01),
+                   corner=(-3.725, 42.315), epsg=4326)
+        sun = ["sun", dem, "--time"]
+
+        def told(time):
+            return [line for line in self.succeed(*sun, time).stdout.splitlines() if "eclipse" in line]
+
+        self.assertEqual(told("2026-08-12T18:29:10Z")[0], "eclipse obscuration: 100.00 percent")
+        self.assertRegex(told("2026-08-12T18:29:10Z")[1], r"^eclipse magnitude: 1\.03\d\d diameter$")
+        partial = told("2026-08-12T18:00Z")
+        self.assertRegex(partial[0], r"^eclipse obscuration: 3\d\.\d\d percent$")
+        self.assertRegex(partial[1], r"^eclipse magnitude: 0\.4\d\d\d diameter$")
+        for none in ["2026-08-12T17:00Z", "2026-08-11T18:29Z", "2026-02-17T12:12Z"]:
+            self.assertEqual(told(none), [])  # the last: a ring over Antarctica
+        # At the antipode the sun of totality has set.
+        dem = make(self.path("far.tif"), np.full((5, 5), 0.0), step=(0.01, 0.01),
+                   corner=(176.3, -42.3), epsg=4326)
+        self.assertNotIn("eclipse", self.succeed("sun", dem, "--time", "2026-08-12T18:29Z").stdout)
+
     def test_other_bodies_have_no_time(self):
         moon = 'GEOGCS["Moon",DATUM["Moon",SPHEROID["Moon",1737400,0]],PRIMEM["Reference",0],' \
                'UNIT["degree",0.0174532925199433]]'
@@ -177,6 +198,28 @@ class Visibility(ToolTest):
         under = self.visibility(dem, "--sun", "120,-30")
         self.assertEqual(np.max(under[1:-1, 1:-1]), 0.0)
         self.assertEqual(np.min(self.visibility(dem, "--sun", "120,90")), 1.0)
+
+    def test_an_eclipse_dims_every_post_by_its_own_share(self):
+        # 5 degrees from west to east, 400 km; the ends as the position printed at both places has them.
+        def level(name, west, columns):
+            return make(self.path(name), np.full((9, columns), 860.0), step=(0.1, 0.1),
+                        corner=(west, 41.9), epsg=4326)
+
+        dem = level("dem.tif", -6.2, 51)
+        time = ["--time", "2026-08-12T18:00Z"]
+        self.succeed("sun", dem, *time, "-o", self.path("out.tif"))
+        lit = read(self.path("out.tif"))[0]
+        for west, column in [(-6.3, 0), (-1.3, 50)]:
+            line = self.succeed("sun", level("end.tif", west, 3), *time).stdout
+            covered = float(line.split("obscuration: ")[1].split()[0]) / 100.0
+            self.assertAlmostEqual(lit[4, column], 1.0 - covered, delta=2e-4)
+        self.assertGreater(abs(lit[4, -1] - lit[4, 0]), 0.004)
+        # A few minutes after first contact the Moon covers the dim limb alone.
+        time = ["--time", "2026-08-12T17:40Z"]
+        self.succeed("sun", dem, *time, "-o", self.path("out.tif"))
+        self.succeed("sun", dem, *time, "--limb-darkening", "-o", self.path("dark.tif"))
+        lit, darkened = read(self.path("out.tif"))[0], read(self.path("dark.tif"))[0]
+        self.assertTrue(np.all(lit < 1.0) and np.all(darkened > lit))
 
     def test_time_and_the_same_direction_agree(self):
         dem = os.path.join(Program.DATA, "dem", "SainteHelens.tif")

@@ -108,29 +108,6 @@ void Add(vtkFloatArray* light, vtkFloatArray* sum)
 namespace skyline
 {
 
-bool CieType(const std::string& name, int& type)
-{
-  return name.rfind("cie:", 0) == 0 && CLI::detail::lexical_cast(name.substr(4), type);
-}
-
-SkyKind KindOfSky(const std::string& name)
-{
-  int type = 0;
-  if (name == "none")
-  {
-    return SkyKind::None;
-  }
-  if (name == "uniform" || name.empty())
-  {
-    return SkyKind::Uniform;
-  }
-  if (CieType(name, type))
-  {
-    return ZonalSky::Knows(type) ? SkyKind::Zonal : SkyKind::Formula;
-  }
-  return SkyKind::Measured;
-}
-
 LitTerrain::LitTerrain(vtkImageData* heights, const HorizonOptions& options)
   : Options(options)
   , Heights(heights)
@@ -264,7 +241,7 @@ vtkSmartPointer<vtkHeightFieldIrradiance> LitTerrain::MakeIrradiance() const
 bool LitTerrain::LightMap(const TerrainLight& light, bool exact)
 {
   const SkyKind kind = KindOfSky(light.Sky);
-  if (kind != SkyKind::Formula && kind != SkyKind::Measured)
+  if (kind != SkyKind::Formula && !IsMeasured(kind))
   {
     return true;
   }
@@ -390,9 +367,13 @@ void LitTerrain::Shade(const TerrainLight& light, bool exact)
 {
   const SkyKind kind = KindOfSky(light.Sky);
   Daylight day = DaylightAndNight(light.Sun.ApparentElevation, light.Air);
-  if (kind == SkyKind::Measured)
+  if (IsMeasured(kind))
   {
     day.SunIrradiance = light.MeasuredSun;
+  }
+  else if (light.AskedSun && Luminance(day.SunIrradiance) > 0.0f)
+  {
+    day.SunIrradiance = *light.AskedSun;
   }
   if (!light.SunOn)
   {
@@ -414,7 +395,7 @@ void LitTerrain::Shade(const TerrainLight& light, bool exact)
   {
     this->SkyRadiance = day.SkyRadiance;
   }
-  if (kind == SkyKind::Measured)
+  if (IsMeasured(kind))
   {
     this->SkyRadiance = MeanRadiance(this->Map);
   }
@@ -422,7 +403,7 @@ void LitTerrain::Shade(const TerrainLight& light, bool exact)
   vtkNew<vtkImageData> posts;
   posts->ShallowCopy(this->Scaled);
   vtkPointData* arrays = posts->GetPointData();
-  const bool map = kind == SkyKind::Formula || kind == SkyKind::Measured;
+  const bool map = kind == SkyKind::Formula || IsMeasured(kind);
   if (this->Sky && !map)
   {
     this->Sky->SetName("Sky");
@@ -465,7 +446,7 @@ void LitTerrain::Shade(const TerrainLight& light, bool exact)
   this->Shading->SetColorMap(light.Colors);
   this->Run(this->Shading, "shading", false);
   const double stops = this->Shading->GetUsedExposure();
-  this->Exposure = kind == SkyKind::Measured ? stops : AdaptedStops(stops);
+  this->Exposure = IsMeasured(kind) ? stops : AdaptedStops(stops);
   this->Output = vtkSmartPointer<vtkImageData>::New();
   this->Output->ShallowCopy(this->Shading->GetOutput());
 }
@@ -475,7 +456,7 @@ bool LitTerrain::Light(const TerrainLight& light, bool exact)
   this->Times.clear();
   this->Exaggerate(light);
   const bool shines = light.SunOn &&
-    (KindOfSky(light.Sky) == SkyKind::Measured ||
+    (IsMeasured(KindOfSky(light.Sky)) ||
       Luminance(DaylightAndNight(light.Sun.ApparentElevation, light.Air).SunIrradiance) > 0.0f);
   if (!this->LightSky(light, exact) || !this->LightMap(light, exact) ||
     (shines && !this->LightSun(light, exact)) || !this->LightLamps(light, exact))

@@ -4,6 +4,7 @@
 #define skyline_LitTerrain_h
 
 #include "../Options.h"
+#include "../SkyNames.h"
 #include "../SunLight.h"
 #include "LampPreview.h"
 #include "ToneMap.h"
@@ -13,6 +14,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,20 +33,6 @@ namespace skyline
 /// Seconds by pass.
 using PassTimes = std::vector<std::pair<std::string, double>>;
 
-/// The sky as `shade` understands its name.
-enum class SkyKind
-{
-  None,
-  Uniform,
-  Zonal,   ///< a CIE sky that is the same all around
-  Formula, ///< another CIE sky
-  Measured ///< a light map, or Perez's sky: as bright as it is
-};
-SkyKind KindOfSky(const std::string& name);
-
-/// Whether a name is that of a CIE sky, and its number: cie:1 to cie:16.
-bool CieType(const std::string& name, int& type);
-
 /// The light on a terrain.
 struct TerrainLight
 {
@@ -52,8 +40,9 @@ struct TerrainLight
   SunLight Sun;
   SunOptions SunAsked; ///< the time, with Sun.FromTime
   std::string Sky = "uniform";
-  vtkSmartPointer<vtkSkylineEnvironmentLight> Environment; ///< of Formula and Measured
-  Rgb MeasuredSun{ { 1, 1, 1 } };                          ///< irradiance beside Measured
+  vtkSmartPointer<vtkSkylineEnvironmentLight> Environment; ///< of other skies than Zonal
+  Rgb MeasuredSun{ { 1, 1, 1 } };                          ///< irradiance beside a measured sky
+  std::optional<Rgb> AskedSun;                             ///< irradiance in place of the day's
   bool Air = true;
   double Rotation = 0.0; ///< degrees
   std::vector<ViewerLamp> Lamps;

@@ -190,7 +190,7 @@ std::string SkyImageKey(const TerrainLight& light, const Rgb& level, const Rgb& 
   std::ostringstream key;
   key.precision(9);
   key << light.Sky;
-  for (const Rgb& part : { level, KindOfSky(light.Sky) == SkyKind::Measured ? level : ground })
+  for (const Rgb& part : { level, IsMeasured(KindOfSky(light.Sky)) ? level : ground })
   {
     key << '|' << part[0] << ',' << part[1] << ',' << part[2];
   }

@@ -49,11 +49,10 @@ Viewer::Viewer(vtkRenderWindow* window, const ViewerOptions& options, const Talk
   , Window(window)
   , Lights(options.Lights, talk)
 {
-  double stops = 0.0;
-  if (CLI::detail::lexical_cast(options.Exposure, stops))
+  if (options.Exposure)
   {
     this->State.AutoExposure = false;
-    this->State.FixedStops = stops;
+    this->State.FixedStops = *options.Exposure;
   }
   this->State.Exaggeration = options.Exaggeration;
   this->State.ColorCount = ColorMaps().size();
@@ -188,7 +187,7 @@ void Viewer::KeyPress(int key, const Modifiers& with)
   if (key == 'K')
   {
     const SkyKind kind = KindOfSky(this->State.Skies[this->State.Sky]);
-    this->State.Sun = kind != SkyKind::Measured;
+    this->State.Sun = !IsMeasured(kind);
   }
   switch (wish)
   {

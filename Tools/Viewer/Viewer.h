@@ -17,6 +17,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ struct ViewerOptions
   HorizonOptions Horizon;
   LightOptions Lights;
   std::string Colors;
-  std::string Exposure = "auto"; ///< or stops
+  std::optional<double> Exposure; ///< stops; none: automatic
   double Exaggeration = 1.0;
   double FromAzimuth = 180.0, FromElevation = 35.0; ///< degrees
   std::string ShotFolder = ".";

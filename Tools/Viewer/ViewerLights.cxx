@@ -50,7 +50,7 @@ ViewerLights::ViewerLights(const LightOptions& asked, const Talk& talk)
 
 void ViewerLights::SetTerrain(vtkImageData* terrain)
 {
-  this->Middle = CenterOf(terrain);
+  this->Middle = CenterOf(terrain, this->Told);
   this->Terrain = terrain;
 }
 
@@ -97,7 +97,7 @@ void ViewerLights::Take(ViewerState& state)
   beside.Lamps.clear();
   beside.Sun = SunOptions();
   beside.Sun.Direction = "180,45";
-  const bool perez = asked.Environment.rfind("perez:", 0) == 0;
+  const bool perez = KindOfSky(asked.Environment) == SkyKind::Perez;
   beside.Environment = perez ? asked.Environment : "uniform";
   for (const auto& light : MakeLights(beside, this->Terrain, this->Told))
   {
@@ -106,14 +106,18 @@ void ViewerLights::Take(ViewerState& state)
       const double* e = disc->GetIrradiance();
       this->MeasuredSun = { { static_cast<float>(e[0]), static_cast<float>(e[1]),
         static_cast<float>(e[2]) } };
+      if (!asked.SunIrradiance.empty())
+      {
+        this->AskedSun = this->MeasuredSun;
+      }
     }
   }
   if (!asked.Environment.empty())
   {
     this->Find(asked.Environment);
     state.TakeSky(asked.Environment);
-    state.Sun = KindOfSky(asked.Environment) != SkyKind::Measured || perez ||
-      !asked.Sun.Time.empty() || !asked.Sun.Direction.empty();
+    state.Sun = !IsMeasured(KindOfSky(asked.Environment)) || perez ||
+      asked.Sun.Asked();
   }
 
   LightOptions lamps;
@@ -133,7 +137,7 @@ void ViewerLights::Take(ViewerState& state)
 vtkSmartPointer<vtkSkylineEnvironmentLight> ViewerLights::Find(const std::string& name)
 {
   const SkyKind kind = KindOfSky(name);
-  if (kind != SkyKind::Formula && kind != SkyKind::Measured)
+  if (kind != SkyKind::Formula && !IsMeasured(kind))
   {
     return nullptr;
   }
@@ -165,6 +169,7 @@ TerrainLight ViewerLights::Make(const ViewerState& state)
   light.Sky = state.Skies[state.Sky];
   light.Environment = this->Find(light.Sky);
   light.MeasuredSun = this->MeasuredSun;
+  light.AskedSun = this->AskedSun;
   light.Air = !this->Middle.Place.OnBody() || this->Middle.Place.Earth;
   light.Rotation = state.Rotation;
   light.Lamps = state.Lamps;

@@ -11,6 +11,7 @@
 #include "vtkSmartPointer.h"
 
 #include <map>
+#include <optional>
 #include <string>
 
 class vtkImageData;
@@ -52,6 +53,7 @@ private:
   Center Middle;
   std::map<std::string, vtkSmartPointer<vtkSkylineEnvironmentLight>> Environments;
   Rgb MeasuredSun{ { 1, 1, 1 } };
+  std::optional<Rgb> AskedSun;
 };
 
 } // namespace skyline

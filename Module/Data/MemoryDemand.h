@@ -9,9 +9,11 @@
 namespace skyline
 {
 
-/// Bytes of memory and swap that programs may still take; infinite where the system does not tell
-/// (it is Linux's MemAvailable, of the machine: limits of a container are not looked at).
-double FreeMemory();
+/// Bytes of memory and swap that this program may still take: the least of what the machine has free
+/// (Linux's MemAvailable and SwapFree), what the control groups leave that it runs in (a container's
+/// limit, versions 1 and 2), and its own limit of addresses (ulimit -v). Infinite where the system does
+/// not tell. root: a folder that stands in place of / for the files of the system, for tests.
+double FreeMemory(const std::string& root = "");
 
 /// std::runtime_error that names the bytes and the cure if columns * rows posts take more than `free`.
 /// what: the subject of the sentence, in the plural; bytes: of a post.

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rows of arrays in the order and with the numbers that they have in a file.
+#ifndef skyline_BandRows_h
+#define skyline_BandRows_h
+
+#include "GeoTiffFile.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace skyline
+{
+
+/// Calls worker(array) with the array's own type where VTK knows it.
+template <typename Worker>
+void DispatchArray(vtkDataArray* array, Worker& worker)
+{
+  if (!vtkArrayDispatch::Dispatch::Execute(array, worker))
+  {
+    worker(array);
+  }
+}
+
+/// Copies rows of one array's components into a band-sequential buffer, top row first.
+template <typename T>
+struct RowCopier
+{
+  T* Buffer = nullptr;
+  std::vector<int> Components; ///< the array's components that are bands here, in order
+  std::size_t BandStride = 0;
+  int Columns = 0;
+  int TopRow = 0; ///< of the image, counted from the south
+  int Count = 0;  ///< rows
+  T Nodata = T(0);
+
+  template <typename ArrayT>
+  void operator()(ArrayT* array) const
+  {
+    const auto tuples = vtk::DataArrayTupleRange(array);
+    for (int line = 0; line < this->Count; ++line)
+    {
+      const vtkIdType first = static_cast<vtkIdType>(this->TopRow - line) * this->Columns;
+      T* row = this->Buffer + static_cast<std::size_t>(line) * this->Columns;
+      for (int column = 0; column < this->Columns; ++column)
+      {
+        const auto tuple = tuples[first + column];
+        T* to = row + column;
+        for (const int component : this->Components)
+        {
+          const auto value = static_cast<T>(tuple[component]);
+          *to = std::isfinite(value) ? value : this->Nodata;
+          to += this->BandStride;
+        }
+      }
+    }
+  }
+};
+
+/// Rows [row, row + count) from the top of `bands` bands from the band `first` on, counted from 0, with
+/// `nodata` where posts are missing; band after band, bandStride numbers apart.
+template <typename T>
+void GatherRows(const GeoTiffContent& content, double nodata, T* buffer, std::size_t bandStride,
+  int row, int count, int first, int bands)
+{
+  auto band = content.Bands.begin() + first;
+  const auto end = band + bands;
+  while (band != end)
+  {
+    // Neighbouring bands of one array go together: the array is walked once.
+    vtkDataArray* array = band->Array;
+    RowCopier<T> copier;
+    copier.Buffer = buffer;
+    copier.BandStride = bandStride;
+    copier.Columns = content.Columns;
+    copier.TopRow = content.Rows - 1 - row;
+    copier.Count = count;
+    copier.Nodata = static_cast<T>(nodata);
+    for (; band != end && band->Array == array; ++band)
+    {
+      copier.Components.push_back(band->Component);
+      buffer += bandStride;
+    }
+    DispatchArray(array, copier);
+  }
+}
+
+} // namespace skyline
+
+#endif

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Opening: what is refused or doubted before a height is read.
+#include "RasterSource.h"
+
+#include "DeclaredCrs.h"
+#include "IoFailure.h"
+
+#include "vtkErrorCode.h"
+
+#include <string>
+
+namespace skyline
+{
+
+/// What the file leads to and may not comes before what GDAL made of it.
+void RasterSource::CheckRefusal() const
+{
+  if (!this->Guard.GetRefusal().empty())
+  {
+    this->Refuse(this->Guard.GetRefusal());
+  }
+}
+
+/// What GDAL complained about so far: a failure is refused although the file opened, for GDAL goes on
+/// without the CRS, mask or georeference that it could not read.
+void RasterSource::CheckComplaints()
+{
+  this->CheckRefusal();
+  const auto refuse = [this](const std::string& words)
+  {
+    this->Refuse("GDAL could not read all of it: " + words +
+      "; correct the file, or the setup of GDAL and PROJ (gdalinfo shows the same)");
+  };
+  if (this->Errors.Any())
+  {
+    refuse(this->Errors.First());
+  }
+  for (const std::string& warning : this->Errors.GetWarnings())
+  {
+    if (warning.rfind("PROJ: ", 0) == 0)
+    {
+      refuse(warning); // without PROJ's database a CRS loses units and axes
+    }
+    this->Doubts.push_back(
+      { "GDAL warns about '" + this->File + "': " + warning, "the rest of the file is right", "" });
+  }
+  this->Errors.Clear();
+}
+
+void RasterSource::FailToOpen()
+{
+  this->CheckRefusal();
+  const std::string driver = this->Guard.DriverRefusal(this->Opened);
+  this->CheckRefusal();
+  if (!driver.empty())
+  {
+    this->Refuse(driver);
+  }
+  VSIStatBufL status;
+  const bool found = VSIStatL(this->Opened.c_str(), &status) == 0;
+  const unsigned long code =
+    found ? vtkErrorCode::UnrecognizedFileTypeError : vtkErrorCode::FileNotFoundError;
+  throw IoFailure(code,
+    "cannot read '" + this->File + "': " + this->Errors.First() +
+      (found ? "; give a raster that gdalinfo can open" : "; check the path"));
+}
+
+/// No CRS is a map in metres; a CRS that could not be read is not.
+void RasterSource::CheckCrs()
+{
+  const OGRSpatialReference* crs = this->Dataset->GetSpatialRef();
+  if (crs && !crs->IsEmpty())
+  {
+    return;
+  }
+  this->CheckComplaints(); // which say more
+  const UnreadCrs unread = FindUnreadCrs(*this->Dataset);
+  if (!unread.Part.empty())
+  {
+    this->Refuse("the CRS that " + unread.Part +
+      " declares cannot be read; assign the right one (gdal_edit.py -a_srs)");
+  }
+  if (!unread.Beside.empty())
+  {
+    this->Doubts.push_back({ "'" + this->File + "' has no CRS that GDAL reads, though '" +
+        unread.Beside + "' lies beside it",
+      "x and y in metres", "gdal_edit.py -a_srs" });
+  }
+}
+
+void RasterSource::Open(int band)
+{
+  this->Dataset.reset(this->Guard.Open(this->Opened));
+  if (!this->Dataset)
+  {
+    this->FailToOpen();
+  }
+  this->CheckRefusal();
+
+  const int bands = this->Dataset->GetRasterCount();
+  if (bands == 0)
+  {
+    char** parts = this->Dataset->GetMetadata("SUBDATASETS");
+    const char* first = CSLFetchNameValue(parts, "SUBDATASET_1_NAME");
+    this->Refuse(first ? "it holds " + std::to_string(CSLCount(parts) / 2) +
+          " rasters; name one, such as '" + first + "'"
+                       : std::string("it has no raster band; give a file with heights"));
+  }
+  if (band < 1 || band > bands)
+  {
+    this->Refuse("it has no band " + std::to_string(band) + "; choose " +
+      (bands == 1 ? std::string("band 1") : "a band from 1 to " + std::to_string(bands)));
+  }
+  this->Band = this->Dataset->GetRasterBand(band);
+  this->Columns = this->Dataset->GetRasterXSize();
+  this->Rows = this->Dataset->GetRasterYSize();
+  if (this->Columns < 2 || this->Rows < 2)
+  {
+    this->Refuse(std::to_string(this->Columns) + " x " + std::to_string(this->Rows) +
+      " posts make no surface; give at least 2 x 2");
+  }
+  this->CheckCrs();
+}
+
+} // namespace skyline

@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SourceGuard.h"
+
+#include "GuardedVsi.h"
+
+#include <cpl_http.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <system_error>
+
+namespace skyline
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+thread_local SourceGuard* Current = nullptr;
+
+/// How GDAL would have opened by the drivers that Gate stands before.
+struct Opener
+{
+  GDALDataset* (*Open)(GDALOpenInfo*) = nullptr;
+  GDALDataset* (*OpenWithDriver)(GDALDriver*, GDALOpenInfo*) = nullptr;
+};
+std::mutex OpenersMutex;
+std::map<GDALDriver*, Opener>& Openers()
+{
+  static auto* openers = new std::map<GDALDriver*, Opener>; // as long as GDAL itself
+  return *openers;
+}
+
+/// Without links and dots; a path that does not exist as far as it does.
+std::string Canonical(const std::string& path)
+{
+  std::error_code failed;
+  const fs::path absolute = fs::absolute(path, failed);
+  const fs::path canonical = fs::weakly_canonical(absolute, failed);
+  return failed ? absolute.lexically_normal().string() : canonical.string();
+}
+
+/// What may stand before and after a path in one of GDAL's longer names: NETCDF:"a.nc":z.
+constexpr const char* Edges = ":\"'{}<>?,= ";
+
+/// Whether a name asks a library for a server by itself: NETCDF:"http://...". Not HDF5:"a.h5"://z.
+bool HasUrl(const std::string& name)
+{
+  for (std::size_t at = name.find("://"); at != std::string::npos; at = name.find("://", at + 1))
+  {
+    std::size_t begin = at;
+    while (begin > 0 && std::isalnum(static_cast<unsigned char>(name[begin - 1])))
+    {
+      --begin;
+    }
+    const std::string scheme = name.substr(begin, at - begin);
+    if (!scheme.empty() && scheme != "vrt")
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Where GDAL and its formats keep their own tables.
+std::string DataFolder()
+{
+  const char* found = CPLFindFile("gdal", "gdalvrt.xsd");
+  return found ? CPLGetDirname(found) : "";
+}
+
+/// Without an error GDAL would go on to the next driver.
+void QuietFailure(const std::string& name)
+{
+  CPLPushErrorHandler(CPLQuietErrorHandler);
+  CPLError(CE_Failure, CPLE_OpenFailed, "no allowed driver opens '%s'", name.c_str());
+  CPLPopErrorHandler();
+}
+
+CPLHTTPResult* RefuseFetch(
+  const char* url, CSLConstList, GDALProgressFunc, void*, CPLHTTPFetchWriteFunc, void*, void*)
+{
+  SourceGuard* guard = SourceGuard::GetCurrent();
+  if (!guard || guard->MayUseNetwork(url))
+  {
+    return nullptr; // GDAL fetches it
+  }
+  auto* result = static_cast<CPLHTTPResult*>(CPLCalloc(1, sizeof(CPLHTTPResult)));
+  result->nStatus = 1;
+  result->pszErrBuf = CPLStrdup("the network is not allowed");
+  return result;
+}
+
+} // namespace
+
+SourceGuard::SourceGuard(
+  const std::string& file, const SourcePolicy& policy, const std::string& folder)
+  : File(file)
+  , Policy(policy)
+  , DriverNames(AllowedDrivers(policy))
+  , Outer(Current)
+{
+  for (const std::string& name : this->DriverNames)
+  {
+    this->Drivers.AddString(name.c_str());
+  }
+  static const std::string data = DataFolder();
+  for (const std::string& own : { folder, data, std::string(CPLGetConfigOption("GDAL_DATA", "")),
+         std::string(CPLGetConfigOption("GRIB_RESOURCE_DIR", "")),
+         std::string(CPLGetConfigOption("GDAL_PAM_PROXY_DIR", "")) })
+  {
+    this->AddFolder(own);
+  }
+  GDALGetCacheMax64(); // once, for which GDAL looks at the machine
+  HookFirstDriver();
+  AcquireVsi();
+  CPLHTTPPushFetchCallback(&RefuseFetch, nullptr);
+  Current = this;
+}
+
+SourceGuard::~SourceGuard()
+{
+  Current = this->Outer;
+  CPLHTTPPopFetchCallback();
+  ReleaseVsi();
+}
+
+SourceGuard* SourceGuard::GetCurrent()
+{
+  return Current;
+}
+
+void SourceGuard::HookFirstDriver()
+{
+  const std::lock_guard<std::mutex> lock(OpenersMutex);
+  GDALDriver* first = GetGDALDriverManager()->GetDriver(0);
+  if (first && first->pfnOpenWithDriverArg != &SourceGuard::Gate)
+  {
+    Openers()[first] = { first->pfnOpen, first->pfnOpenWithDriverArg };
+    first->pfnOpenWithDriverArg = &SourceGuard::Gate;
+    first->pfnOpen = nullptr;
+  }
+}
+
+/// Stands before the driver that GDAL asks first, whatever it opens and wherever the name came from.
+GDALDataset* SourceGuard::Gate(GDALDriver* driver, GDALOpenInfo* info)
+{
+  if (Current)
+  {
+    if (Current->Passing != info->pszFilename)
+    {
+      return Current->OpenNested(info);
+    }
+    Current->Passing.clear();
+  }
+  Opener opener;
+  {
+    const std::lock_guard<std::mutex> lock(OpenersMutex);
+    opener = Openers()[driver];
+  }
+  return opener.Open        ? opener.Open(info)
+    : opener.OpenWithDriver ? opener.OpenWithDriver(driver, info)
+                            : nullptr;
+}
+
+/// Opens in place of GDAL, which would ask every driver.
+GDALDataset* SourceGuard::OpenNested(GDALOpenInfo* info)
+{
+  const std::string name = info->pszFilename;
+  if (!this->MayOpen(name))
+  {
+    QuietFailure(name);
+    return nullptr;
+  }
+  const unsigned flags = static_cast<unsigned>(info->nOpenFlags) & ~unsigned(GDAL_OF_SHARED);
+  this->Passing = name;
+  auto* dataset = static_cast<GDALDataset*>(
+    GDALOpenEx(name.c_str(), flags, this->Drivers.List(), info->papszOpenOptions, nullptr));
+  this->Passing.clear();
+  if (!dataset)
+  {
+    this->Refuse(this->DriverRefusal(name));
+    if (CPLGetLastErrorType() < CE_Failure)
+    {
+      QuietFailure(name);
+    }
+  }
+  return dataset;
+}
+
+/// Judges what libraries open past GDAL's file systems: paths and URLs inside of longer names.
+bool SourceGuard::MayOpen(const std::string& name)
+{
+  if (!name.empty() && name[0] == '<')
+  {
+    return true; // a virtual raster in full; its sources are judged when they are opened
+  }
+  if (HasUrl(name) && !this->MayUseNetwork(name.c_str()))
+  {
+    return false;
+  }
+  for (std::size_t begin = 0; begin < name.size();)
+  {
+    const std::size_t end = std::min(name.find_first_of(Edges, begin), name.size());
+    if (end > begin && !this->MayTouch(name.substr(begin, end - begin).c_str()))
+    {
+      return false;
+    }
+    begin = end + 1;
+  }
+  return true;
+}
+
+GDALDataset* SourceGuard::Open(const std::string& name)
+{
+  if (!this->MayOpen(name))
+  {
+    return nullptr;
+  }
+  this->Passing = name;
+  auto* dataset = static_cast<GDALDataset*>(
+    GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+      this->Drivers.List(), nullptr, nullptr));
+  this->Passing.clear();
+  return dataset;
+}
+
+std::string SourceGuard::DriverRefusal(const std::string& name)
+{
+  GDALDriverH driver = GDALIdentifyDriverEx(name.c_str(), GDAL_OF_RASTER, nullptr, nullptr);
+  const std::string kind = driver ? GDALGetDriverShortName(driver) : "";
+  const auto allowed = [&](const std::string& one) { return EQUAL(one.c_str(), kind.c_str()); };
+  if (kind.empty() || std::any_of(this->DriverNames.begin(), this->DriverNames.end(), allowed))
+  {
+    return "";
+  }
+  const std::string what = name == this->File ? "it is" : "it leads to '" + name + "',";
+  return what + " of the kind " + kind +
+    ", which is not among the formats opened by default; use --driver " + kind +
+    " if you trust it (and --allow-network if it lies on a server)";
+}
+
+void SourceGuard::Refuse(const std::string& reason)
+{
+  if (this->Refusal.empty())
+  {
+    this->Refusal = reason.substr(0, reason.find_first_of("\r\n"));
+  }
+}
+
+bool SourceGuard::MayUseNetwork(const char* name)
+{
+  if (!this->Policy.AllowNetwork)
+  {
+    const std::string what = name;
+    this->Refuse((what == this->File ? "it lies on the network"
+                                     : "it leads to '" + what + "' on the network") +
+      "; use --allow-network if you trust it");
+  }
+  return this->Policy.AllowNetwork;
+}
+
+bool SourceGuard::MayUseSystem(const char* prefix, const char* name)
+{
+  // Archives, memory and parts of files; what they read in turn is judged by itself.
+  for (const char* local : { "/vsimem/", "/vsizip/", "/vsigzip/", "/vsitar/", "/vsi7z/", "/vsirar/",
+         "/vsisubfile/", "/vsisparse/", "/vsicrypt/", "/vsicached?" })
+  {
+    if (std::string(prefix) == local)
+    {
+      return true;
+    }
+  }
+  // What the caller named by himself: files of his own program.
+  if (this->Policy.AllowElsewhere || this->File.find(prefix) != std::string::npos)
+  {
+    return true;
+  }
+  this->Refuse("it leads to '" + std::string(name) +
+    "', outside its folder; use --allow-elsewhere if you trust it");
+  return false;
+}
+
+bool SourceGuard::MayTouch(const char* path, bool create)
+{
+  const std::string name = path ? path : "";
+  if (this->Suspended || this->Policy.AllowElsewhere || name.empty())
+  {
+    return true;
+  }
+  if (this->SpellsOut(name))
+  {
+    this->AddFolderOf(name);
+    return true;
+  }
+  std::error_code failed;
+  if (this->IsBelow(name) || (!create && !fs::exists(fs::symlink_status(name, failed))))
+  {
+    return true; // there, or nowhere
+  }
+  // GDAL asks these for the memory that it may take.
+  const bool machine = name.rfind("/sys/fs/cgroup", 0) == 0 || name == "/proc/self/status" ||
+    name == "/proc/meminfo" || name == "/proc/self/cgroup";
+  if (!machine)
+  {
+    this->Refuse(
+      "it leads to '" + name + "', outside its folder; use --allow-elsewhere if you trust it");
+  }
+  return false;
+}
+
+bool SourceGuard::SpellsOut(const std::string& path) const
+{
+  for (std::size_t at = this->File.find(path); at != std::string::npos;
+       at = this->File.find(path, at + 1))
+  {
+    const std::size_t end = at + path.size();
+    std::string edges = Edges;
+    edges += this->File.rfind("/vsi", 0) == 0 ? "/" : ""; // a path after a file system's name
+    const bool begins = at == 0 || edges.find(this->File[at - 1]) != std::string::npos;
+    const bool ends = end == this->File.size() || edges.find(this->File[end]) != std::string::npos;
+    if (begins && ends)
+    {
+      // Within a path, only an archive ends here.
+      std::error_code failed;
+      const bool within = end < this->File.size() && this->File[end] == '/';
+      return !within || fs::is_regular_file(path, failed);
+    }
+  }
+  return false;
+}
+
+void SourceGuard::AddFolder(const std::string& folder)
+{
+  if (!folder.empty())
+  {
+    std::string canonical = Canonical(folder);
+    canonical += canonical.back() == '/' ? "" : "/";
+    if (std::find(this->Folders.begin(), this->Folders.end(), canonical) == this->Folders.end())
+    {
+      this->Folders.push_back(canonical);
+    }
+  }
+}
+
+void SourceGuard::AddFolderOf(const std::string& path)
+{
+  std::error_code failed;
+  if (fs::is_directory(path, failed))
+  {
+    this->AddFolder(path);
+  }
+  else if (fs::exists(path, failed))
+  {
+    const fs::path absolute = fs::absolute(path, failed);
+    this->AddFolder(absolute.parent_path().string());
+    this->AddFolder(fs::path(Canonical(path)).parent_path().string());
+  }
+  else
+  {
+    return;
+  }
+  // A coverage of Arc/Info keeps its tables beside its folder.
+  for (const std::string& folder : std::vector<std::string>(this->Folders))
+  {
+    if (fs::exists(folder + "hdr.adf", failed))
+    {
+      this->AddFolder(folder + "../info");
+    }
+  }
+}
+
+bool SourceGuard::IsBelow(const std::string& path) const
+{
+  const std::string canonical = Canonical(path);
+  return std::any_of(this->Folders.begin(), this->Folders.end(),
+    [&](const std::string& folder)
+    {
+      if (folder == "/") // everything is below
+      {
+        return canonical.find('/', 1) == std::string::npos;
+      }
+      return (canonical + "/").compare(0, folder.size(), folder) == 0;
+    });
+}
+
+} // namespace skyline

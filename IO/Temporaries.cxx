@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Temporaries.h"
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstring>
+#include <ctime>
+#include <mutex>
+#include <random>
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace skyline
+{
+
+namespace
+{
+
+/// ".skyline-held-PROCESS-NUMBER.part.EXTENSION": files named so are locked as long as they are used.
+constexpr const char* NameBegin = ".skyline-held-";
+constexpr const char* NameMiddle = ".part";
+
+/// What may lie beside a temporary: GDAL's metadata, our intermediate, the COG driver's overviews.
+/// The file itself is the last: a name that is there without it is nobody's.
+constexpr std::array<const char*, 6> Suffixes{ { ".aux.xml", IntermediateSuffix,
+  ".part.tif.aux.xml", ".ovr.tmp", ".msk.ovr.tmp", "" } };
+constexpr std::size_t LongestSuffix = 32;
+
+/// Seconds after which a file without the temporary that it lies beside is nobody's: meanwhile its
+/// process may be about to rename it.
+constexpr double AloneSeconds = 60.0;
+
+/// The temporaries of the process, in memory that a signal handler may read.
+struct Entry
+{
+  enum State
+  {
+    Free,
+    Changing,
+    Used
+  };
+  std::atomic<int> State{ Free };
+  char Path[PATH_MAX] = {};
+};
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads it");
+std::array<Entry, 16> Entries;
+
+/// Enters a path; -1 when the list is full or the path too long, which only a signal will miss.
+int Enter(const std::string& path)
+{
+  if (path.size() + LongestSuffix >= PATH_MAX)
+  {
+    return -1;
+  }
+  for (std::size_t i = 0; i < Entries.size(); ++i)
+  {
+    int expected = Entry::Free;
+    if (Entries[i].State.compare_exchange_strong(expected, Entry::Changing))
+    {
+      std::memcpy(Entries[i].Path, path.c_str(), path.size() + 1);
+      Entries[i].State = Entry::Used;
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+/// Signals that end a process which has not asked for them.
+constexpr std::array<int, 13> Endings{ { SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGALRM,
+  SIGXCPU, SIGXFSZ, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL } };
+
+extern "C" void TidyUpAndEnd(int number)
+{
+  const int error = errno;
+  RemoveTemporaries();
+  std::signal(number, SIG_DFL);
+  (void)std::raise(number); // takes effect when the handler returns
+  errno = error;
+}
+
+/// The handlers are there as long as a temporary is.
+struct Handlers
+{
+  std::mutex Mutex;
+  int Users = 0;
+
+  static Handlers& Get()
+  {
+    static Handlers handlers;
+    return handlers;
+  }
+
+  void Add()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (this->Users++ == 0)
+    {
+      Replace(SIG_DFL, TidyUpAndEnd);
+    }
+  }
+  void Drop()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (--this->Users == 0)
+    {
+      Replace(TidyUpAndEnd, SIG_DFL);
+    }
+  }
+
+  using Handler = void (*)(int);
+  static void Replace(Handler from, Handler to)
+  {
+    for (const int number : Endings)
+    {
+      struct sigaction now = {};
+      if (::sigaction(number, nullptr, &now) == 0 && !(now.sa_flags & SA_SIGINFO) &&
+        now.sa_handler == from)
+      {
+        now.sa_handler = to;
+        now.sa_flags = 0;
+        ::sigaction(number, &now, nullptr);
+      }
+    }
+  }
+};
+
+/// An open descriptor that is closed at the end.
+struct Opened
+{
+  explicit Opened(int file)
+    : File(file)
+  {
+  }
+  ~Opened()
+  {
+    if (this->File >= 0)
+    {
+      ::close(this->File);
+    }
+  }
+  Opened(const Opened&) = delete;
+  Opened& operator=(const Opened&) = delete;
+  int File;
+};
+
+/// Removes a temporary whose process is gone; false where there is none such.
+bool RemoveDead(int folder, const char* name)
+{
+  struct stat status;
+  if (::fstatat(folder, name, &status, AT_SYMLINK_NOFOLLOW) != 0 || !S_ISREG(status.st_mode) ||
+    status.st_uid != ::geteuid())
+  {
+    return false;
+  }
+  const Opened file(::openat(folder, name, O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  // Locked by us, its maker cannot think that it holds it: see Temporary.
+  return file.File >= 0 && ::flock(file.File, LOCK_EX | LOCK_NB) == 0 &&
+    ::unlinkat(folder, name, 0) == 0;
+}
+
+/// The name of the temporary that a file lies beside; the name itself if it is one.
+std::string OwnerOf(const std::string& name)
+{
+  for (const char* suffix : Suffixes)
+  {
+    const std::size_t length = std::strlen(suffix);
+    if (length > 0 && name.size() > length &&
+      name.compare(name.size() - length, length, suffix) == 0)
+    {
+      const std::string owner = name.substr(0, name.size() - length);
+      if (owner.find(NameMiddle) != std::string::npos)
+      {
+        return owner;
+      }
+    }
+  }
+  return name;
+}
+
+void SweepName(int folder, const std::string& name)
+{
+  if (name.rfind(NameBegin, 0) != 0 || name.find(NameMiddle) == std::string::npos)
+  {
+    return;
+  }
+  const std::string owner = OwnerOf(name);
+  struct stat status;
+  const bool alone = owner != name &&
+    ::fstatat(folder, owner.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0 && errno == ENOENT &&
+    ::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
+    std::difftime(std::time(nullptr), status.st_mtime) > AloneSeconds;
+  if (!alone && !RemoveDead(folder, owner.c_str()))
+  {
+    return;
+  }
+  for (const char* suffix : Suffixes)
+  {
+    if (*suffix && ::fstatat(folder, (owner + suffix).c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
+      status.st_uid == ::geteuid())
+    {
+      ::unlinkat(folder, (owner + suffix).c_str(), 0);
+    }
+  }
+}
+
+} // namespace
+
+Temporary::Temporary(const std::string& folder, const std::string& extension, mode_t mode)
+{
+  Handlers::Get().Add();
+  std::random_device random;
+  int error = EEXIST;
+  for (int attempt = 0; attempt < 100 && error == EEXIST; ++attempt)
+  {
+    this->Path = folder + "/" + NameBegin + std::to_string(::getpid()) + "-" +
+      std::to_string(random()) + NameMiddle + extension;
+    // In the list before it exists, so that no signal finds it unlisted.
+    this->Slot = Enter(this->Path);
+    this->File =
+      ::open(this->Path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, mode);
+    error = errno;
+    if (this->File >= 0)
+    {
+      // Someone who sweeps may have taken it before it was locked.
+      const bool locked = ::flock(this->File, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+      struct stat status;
+      if (locked && ::fstat(this->File, &status) == 0 && status.st_nlink > 0)
+      {
+        return;
+      }
+      error = EEXIST;
+    }
+    this->Remove();
+  }
+  errno = error;
+}
+
+Temporary::~Temporary()
+{
+  this->Remove();
+  Handlers::Get().Drop();
+}
+
+void Temporary::Remove()
+{
+  if (this->File >= 0)
+  {
+    for (const char* suffix : Suffixes)
+    {
+      ::unlink((this->Path + suffix).c_str());
+    }
+    ::close(this->File);
+  }
+  if (this->Slot >= 0)
+  {
+    Entries[static_cast<std::size_t>(this->Slot)].State = Entry::Free;
+  }
+  this->File = -1;
+  this->Slot = -1;
+}
+
+void SweepTemporaries(const std::string& folder) noexcept
+try
+{
+  const int before = errno;
+  DIR* entries = ::opendir(folder.c_str());
+  if (entries)
+  {
+    while (const dirent* entry = ::readdir(entries))
+    {
+      SweepName(::dirfd(entries), entry->d_name);
+    }
+    ::closedir(entries);
+  }
+  errno = before;
+}
+catch (...)
+{
+  // No memory for a name: another run will sweep.
+}
+
+void RemoveTemporaries() noexcept
+{
+  for (Entry& entry : Entries)
+  {
+    if (entry.State != Entry::Used)
+    {
+      continue;
+    }
+    char path[PATH_MAX];
+    const std::size_t length = std::strlen(entry.Path);
+    std::memcpy(path, entry.Path, length);
+    for (const char* suffix : Suffixes)
+    {
+      std::memcpy(path + length, suffix, std::strlen(suffix) + 1);
+      ::unlink(path);
+    }
+  }
+}
+
+} // namespace skyline

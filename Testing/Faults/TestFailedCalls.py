@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One call of the system fails, or all from one on: no wrong file with exit 0, no hang, no litter."""
+from Faults import ERRORS, KINDS, RUNS, Fault, FaultTest, Tally, report, rounds, run_all
+import Program
+
+# One fault in so many lasts: a full disk, a limit on threads.
+LASTING = 0.25
+
+
+class FailedCalls(FaultTest):
+    def test_any_call(self):
+        cases = self.cases()
+        kinds = [kind for kind in KINDS if kind != "allocate"]
+        plan = [(case, Fault(kind, number, self.rng.choice(ERRORS[kind]),
+                             self.rng.random() < LASTING))
+                for case, kind, number in rounds(cases, kinds, RUNS, self.rng)]
+        tally = Tally()
+        run_all(plan, tally)
+        report(self, tally)
+
+    def test_no_thread_at_all(self):
+        cases = [case for case in self.cases() if case.calls["thread"] > 0]
+        tally = Tally()
+        run_all([(case, Fault("thread", 1, "EAGAIN", True)) for case in cases], tally)
+        report(self, tally)
+        self.assertEqual(tally.verdicts["right"], len(cases), "one thread is enough for all work")
+
+
+if __name__ == "__main__":
+    Program.main()

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "IdleOptions.h"
+
+#include "Failure.h"
+
+namespace skyline
+{
+
+bool IdleOptions::Given(const std::string& option) const
+{
+  const CLI::Option* found = this->Command.get_option_no_throw(option);
+  return found != nullptr && found->count() > 0;
+}
+
+void IdleOptions::Refuse(
+  bool idle, std::initializer_list<const char*> options, const std::string& reason) const
+{
+  for (const char* option : options)
+  {
+    if (idle && this->Given(option))
+    {
+      throw WrongUsage(std::string(option) + ": " + reason);
+    }
+  }
+}
+
+} // namespace skyline
