@@ -115,7 +115,14 @@ void AddSkyView(CLI::App& program)
       "How far the data must reach for EdgeTrust, metres, 0 (any terrain at all) or more.\n"
       "Default: 1000, or a tenth of the DEM's shorter side if that is less")
     ->type_name("METRES")
-    ->check(CLI::Range(0.0, 1e9));
+    ->check(CLI::Validator(
+      [](const std::string& text)
+      {
+        double metres = 0.0;
+        const bool fine = CLI::detail::lexical_cast(text, metres) && metres >= 0.0 && metres <= 1e9;
+        return fine ? std::string() : "needs 0 to 1e9 metres, not " + text; // NaN is none of them
+      },
+      ""));
   command->Horizon.AddTo(*app);
   AddTalk(*app, command->Talk);
   app->callback(
