@@ -273,7 +273,6 @@ NAMES = [
     "DERIVED_SUBDATASET:LOGAMPLITUDE:/vsicurl/" + URL,
     WMS,
     VRT % (16, 16, SIMPLE % (0, "/vsicurl/" + URL)),
-    VRT % (16, 16, RAW % (0, "/etc/passwd")),
 ]
 
 LIGHTS = [
