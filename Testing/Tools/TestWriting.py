@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How results are written: no source is destroyed, nothing is left over, links and rights as usual."""
+import errno
 import fcntl
 import gzip
 import os
@@ -256,7 +257,7 @@ class Leftovers(WritingTest):
 
 class Threads(WritingTest):
     def test_any_number_of_threads_will_do(self):
-        preload = os.environ.get("SKYLINE_FAIL_THREADS", "")
+        preload = os.environ.get("SKYLINE_FAIL_CALLS", "")
         if not os.path.exists(preload):
             self.skipTest("the library that makes threads fail was not built")
         self.skip_if_sanitized()
