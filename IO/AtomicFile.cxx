@@ -240,15 +240,27 @@ void AtomicFile::Replace()
   {
     this->Fail(errno);
   }
+  // First, for a raster beside another one's side files would have a wrong place and wrong values.
+  for (const char* suffix : SideFiles)
+  {
+    const std::string side = this->Real + suffix;
+    if (::unlink(side.c_str()) != 0 && errno != ENOENT)
+    {
+      const int error = errno;
+      throw IoFailure(CodeFor(error),
+        "cannot write '" + this->Target + "': its side file '" + side +
+          "' cannot be removed: " + std::strerror(error) + CureFor(error));
+    }
+  }
   if (::rename(this->GetPath().c_str(), this->Real.c_str()) != 0)
   {
     this->Fail(errno);
   }
-  for (const char* suffix : SideFiles)
+  const std::string side = this->GetPath() + ".aux.xml";
+  if (::rename(side.c_str(), (this->Real + ".aux.xml").c_str()) != 0 && errno != ENOENT)
   {
-    ::unlink((this->Real + suffix).c_str());
+    this->Fail(errno);
   }
-  (void)::rename((this->GetPath() + ".aux.xml").c_str(), (this->Real + ".aux.xml").c_str());
   this->SyncFolder();
 }
 

@@ -288,7 +288,7 @@ bool SourceGuard::MayUseSystem(const char* prefix, const char* name)
 bool SourceGuard::MayTouch(const char* path, bool create)
 {
   const std::string name = path ? path : "";
-  if (this->Suspended || this->Policy.AllowElsewhere || name.empty())
+  if (this->Suspended || name.empty())
   {
     return true;
   }
@@ -298,6 +298,17 @@ bool SourceGuard::MayTouch(const char* path, bool create)
     return true;
   }
   std::error_code failed;
+  const fs::file_status status = fs::status(name, failed);
+  if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
+  {
+    // Whoever opens a pipe that nobody writes waits for ever.
+    this->Refuse("it leads to '" + name + "', a pipe or a device; name a regular file in it");
+    return false;
+  }
+  if (this->Policy.AllowElsewhere)
+  {
+    return true;
+  }
   if (this->IsBelow(name) || (!create && !fs::exists(fs::symlink_status(name, failed))))
   {
     return true; // there, or nowhere

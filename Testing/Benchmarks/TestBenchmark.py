@@ -191,7 +191,7 @@ class Benchmark(ToolTest):
                 running.send_signal(signal.SIGINT)
                 out, text = running.communicate(timeout=60)
                 self.assertLess(time.monotonic() - sent, SOON)
-                self.assertEqual((running.returncode, out, text), (1, "", "skyline: interrupted\n"))
+                self.assertEqual((running.returncode, out, text), (-signal.SIGINT, "", "skyline: interrupted\n"))
                 self.assertEqual(self.files(), ["temporary"])
                 self.assertEqual(os.listdir(self.path("temporary")), [])
 
