@@ -116,8 +116,7 @@ void ViewerLights::Take(ViewerState& state)
   {
     this->Find(asked.Environment);
     state.TakeSky(asked.Environment);
-    state.Sun = !IsMeasured(KindOfSky(asked.Environment)) || perez ||
-      asked.Sun.Asked();
+    state.Sun = !IsMeasured(KindOfSky(asked.Environment)) || perez || asked.Sun.Asked();
   }
 
   LightOptions lamps;
