@@ -62,7 +62,11 @@ void vtkHeightFieldInspection::Inspect(vtkImageData* heightField, const char* su
     south = north + posts[1] * place.GeoTransform[5];
   }
   const double relief = found.Highest - found.Lowest;
-  if (found.Any && place.Crs.empty() && skyline::LooksLikeDegrees(west, south, east, north, relief))
+  // Who gives a spacing of a metre or more means metres.
+  constexpr double finest = 1.0;
+  const bool given = !place.HasGeoTransform && spacing[0] >= finest;
+  if (found.Any && place.Crs.empty() && !given &&
+    skyline::LooksLikeDegrees(west, south, east, north, relief))
   {
     std::array<char, 160> text{};
     std::snprintf(text.data(), text.size(),

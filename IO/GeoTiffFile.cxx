@@ -523,6 +523,16 @@ GeoTiffContent ContentOf(vtkImageData* image)
       std::to_string(content.Columns) + " x " + std::to_string(content.Rows) +
       "; crop by the reader's extent");
   }
+  // An image without a place on a map still has its posts' distances.
+  const double* spacing = image->GetSpacing();
+  if (!content.Place.HasGeoTransform && (spacing[0] != 1.0 || spacing[1] != 1.0))
+  {
+    const double* origin = image->GetOrigin();
+    const int* extent = image->GetExtent();
+    content.Place.HasGeoTransform = true;
+    content.Place.GeoTransform = { origin[0] + (extent[0] - 0.5) * spacing[0], spacing[0], 0.0,
+      origin[1] + (extent[3] + 0.5) * spacing[1], 0.0, -spacing[1] };
+  }
   return content;
 }
 

@@ -24,4 +24,18 @@ void IdleOptions::Refuse(
   }
 }
 
+void IdleOptions::Warn(bool idle, std::initializer_list<const char*> options,
+  const std::string& reason, const Talk& talk) const
+{
+  for (const char* option : options)
+  {
+    if (idle && this->Given(option))
+    {
+      PrintWarning(Doubt{ std::string(option) + " does nothing here: " + reason,
+                     "the result without it", "" },
+        talk);
+    }
+  }
+}
+
 } // namespace skyline

@@ -3,6 +3,8 @@
 #ifndef skyline_IdleOptions_h
 #define skyline_IdleOptions_h
 
+#include "Passes.h"
+
 #include <CLI/CLI.hpp>
 
 #include <initializer_list>
@@ -26,6 +28,10 @@ public:
   /// Throws WrongUsage if `idle` and the user gave one of the options: "OPTION: REASON".
   void Refuse(
     bool idle, std::initializer_list<const char*> options, const std::string& reason) const;
+
+  /// Prints a warning instead: what such an option asks for is what happens anyway, or all that can.
+  void Warn(bool idle, std::initializer_list<const char*> options, const std::string& reason,
+    const Talk& talk) const;
 
 private:
   const CLI::App& Command;

@@ -210,9 +210,6 @@ void LightOptions::RefuseIdle(
   this->Sun.RefuseIdle(options);
   options.Refuse(kind == SkyKind::Perez && !this->Sun.Asked(), { "--environment" },
     "perez is a sky of the sun; give the sun by --sun AZ,EL or --time");
-  options.Refuse(kind == SkyKind::None || kind == SkyKind::Uniform || kind == SkyKind::Zonal,
-    { "--rotation" },
-    "this sky is the same all around; leave it out, or give a light map by --environment");
   options.Refuse(!sunShines, { "--sun-irradiance", "--sun-radius", "--limb-darkening" },
     "no sun shines; give one by --sun AZ,EL or --time, or leave it out");
   options.Refuse(keyLight && this->Sun.Radius.value_or(0.0) > LargestSun, { "--limb-darkening" },
@@ -230,6 +227,13 @@ void LightOptions::WarnOfTurnedSky(SkyKind kind, const Talk& talk) const
     PrintWarning(Doubt{ "--rotation turns the sky " + this->Environment +
                      ", which is brighter about the sun, away from the sun that shines",
                    "a sky that does not belong to the sun", "" },
+      talk);
+  }
+  if (Turned(this->Rotation) != 0.0 &&
+    (kind == SkyKind::None || kind == SkyKind::Uniform || kind == SkyKind::Zonal))
+  {
+    PrintWarning(Doubt{ "--rotation turns nothing, for this sky is the same all around",
+                   "the sky without it", "" },
       talk);
   }
 }

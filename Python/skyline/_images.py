@@ -352,6 +352,9 @@ def _place(rows: int, columns: int, crs: Any, six: list[float]) -> vtkImageData:
         run(reader)
     except Error as reason:
         said = str(reason).replace(f"'{raster}'", "the array").replace(raster, "the array")
+        if "GDAL could not read all of it" in said:
+            raise ValueError(f"crs is {_check.short(crs)}, which names no coordinate system that PROJ knows; "
+                             "give 'EPSG:25830', WKT, or an EPSG number") from None
         raise Error(f"{said} (crs {_check.short(crs)}, transform {tuple(six)})") from None
     found = reader.GetOutput()
     if text and found.GetFieldData().GetAbstractArray("CRS") is None:

@@ -20,8 +20,9 @@ writer = skyline.vtkHeightFieldWriter()
 writer.SetInputData(skyline.to_image(np.random.default_rng(1).random((900, 900)), 1.0))
 writer.SetFileName(folder + "/out.tif")
 def wait(caller, event):
-    print("writing", flush=True)
-    time.sleep(60)
+    if os.listdir(folder):
+        print("writing", flush=True)
+        time.sleep(60)
 writer.AddObserver("ProgressEvent", wait)
 writer.Write()
 """
@@ -38,6 +39,7 @@ class Signals(unittest.TestCase):
             with self.subTest(signal=number):
                 program = subprocess.Popen([sys.executable, "-c", WRITING, self.folder],
                                            stdout=subprocess.PIPE, text=True)
+                self.addCleanup(program.kill)
                 self.assertEqual(program.stdout.readline(), "writing\n")
                 self.assertEqual(len(os.listdir(self.folder)), 1)
                 program.send_signal(number)

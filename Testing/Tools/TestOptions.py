@@ -93,18 +93,10 @@ IDLE = [
                      ["--refraction", "0.2"], ["--tolerance", "1"], ["--cloud-optimized"],
                      ["--limb-darkening"])],
     ("shadow-height", [], ["--sun-radius", "1"], "--soft"),
-    *[("irradiance", SUN, [option, *value], "azimuths")
-      for option, value in (("--azimuths", ["9"]), ("--quadrature", ["blend"]), ("--no-refinement", []))],
-    *[("irradiance", ["--lamp", LAMP], option, "")
-      for option in (["--azimuths", "9"], ["--method", "sh"], ["--horizon", "fast"],
-                     ["--tolerance", "1"], ["--quadrature", "blend"])],
-    ("irradiance", [], ["--no-refinement"], "bright all around"),
+    ("irradiance", ["--lamp", LAMP], ["--method", "sh"], ""),
     *[("irradiance", ["--method", "sh", *SUN], option, "sh")
       for option in (["--quadrature", "linear"], ["--no-refinement"], ["--limb-darkening"])],
     ("irradiance", [], ["--bands", "6"], "method sh"),
-    *[(command, ["--environment", sky], ["--rotation", "90"], "same all around")
-      for command in ("irradiance", "shade") for sky in ("uniform", "cie:5", "cie:16")],
-    ("shade", ["--environment", "none"], ["--rotation", "90"], "same all around"),
     *[(command, ["--environment", MAP], option, "no sun shines")
       for command in ("irradiance", "shade")
       for option in (["--sun-irradiance", "2"], ["--sun-radius", "1"], ["--limb-darkening"])],
@@ -117,6 +109,19 @@ IDLE = [
     *[("shade", ["-o", "out." + kind], ["--cloud-optimized"], "GeoTIFF") for kind in ("png", "exr")],
     ("shade", ["-o", "out.exr"], ["--exposure", "1"], "before exposure"),
     *[(command, [], ["--environment", "perez:500,100"], "perez") for command in ("irradiance", "shade")],
+]
+
+# The same, where the result is right without the option: a warning.
+WARNED = [
+    *[("irradiance", SUN, [option, *value], "azimuths")
+      for option, value in (("--azimuths", ["9"]), ("--quadrature", ["blend"]), ("--no-refinement", []))],
+    *[("irradiance", ["--lamp", LAMP], option, "")
+      for option in (["--azimuths", "9"], ["--horizon", "fast"], ["--tolerance", "1"],
+                     ["--quadrature", "blend"])],
+    ("irradiance", [], ["--no-refinement"], "bright all around"),
+    *[(command, ["--environment", sky], ["--rotation", "90"], "same all around")
+      for command in ("irradiance", "shade") for sky in ("uniform", "cie:5", "cie:16")],
+    ("shade", ["--environment", "none"], ["--rotation", "90"], "same all around"),
 ]
 
 # What no command takes as the value of an option with numbers.
@@ -238,6 +243,11 @@ class Options(ToolTest):
             with self.subTest(command=command, option=option, further=further):
                 words = self.arguments(command, further, option)
                 self.usage(says, option[0], *words)
+        for command, further, option, says in WARNED:
+            with self.subTest(command=command, option=option, further=further):
+                done = self.run_program(*self.arguments(command, further, option))
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertRegex(done.stderr, f"^warning: {option[0]} .*{says}.*; assuming ")
 
     def test_wrong_values(self):
         for option, (command, values) in NUMBERS.items():
