@@ -207,6 +207,10 @@ struct Installed
       {
         continue; // no such system here
       }
+      if (SourceGuard::IsHarmless(prefix))
+      {
+        continue; // GDAL takes some of these for its own class without asking
+      }
       GuardedSystem*& system = this->Systems[{ prefix, inner }];
       if (!system)
       {

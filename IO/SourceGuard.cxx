@@ -264,17 +264,15 @@ bool SourceGuard::MayUseNetwork(const char* name)
   return this->Policy.AllowNetwork;
 }
 
+bool SourceGuard::IsHarmless(const std::string& prefix)
+{
+  const auto systems = { "/vsimem/", "/vsizip/", "/vsigzip/", "/vsitar/", "/vsi7z/", "/vsirar/",
+    "/vsisubfile/", "/vsisparse/", "/vsicrypt/", "/vsicached?" };
+  return std::find(systems.begin(), systems.end(), prefix) != systems.end();
+}
+
 bool SourceGuard::MayUseSystem(const char* prefix, const char* name)
 {
-  // Archives, memory and parts of files; what they read in turn is judged by itself.
-  for (const char* local : { "/vsimem/", "/vsizip/", "/vsigzip/", "/vsitar/", "/vsi7z/", "/vsirar/",
-         "/vsisubfile/", "/vsisparse/", "/vsicrypt/", "/vsicached?" })
-  {
-    if (std::string(prefix) == local)
-    {
-      return true;
-    }
-  }
   // What the caller named by himself: files of his own program.
   if (this->Policy.AllowElsewhere || this->File.find(prefix) != std::string::npos)
   {

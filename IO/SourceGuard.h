@@ -47,6 +47,9 @@ public:
   bool MayUseNetwork(const char* name);
   bool MayUseSystem(const char* prefix, const char* name);
 
+  /// Archives, memory and parts of files, by their prefix: what they read in turn is judged by itself.
+  static bool IsHarmless(const std::string& prefix);
+
   /// True while GDAL fetches from the network, which reads certificates and passwords of its own.
   bool Suspended = false;
 

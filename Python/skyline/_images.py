@@ -352,7 +352,7 @@ def _place(rows: int, columns: int, crs: Any, six: list[float]) -> vtkImageData:
         run(reader)
     except Error as reason:
         said = str(reason).replace(f"'{raster}'", "the array").replace(raster, "the array")
-        if "GDAL could not read all of it" in said:
+        if "GDAL could not read all of it" in said or "that its SRS declares" in said:
             raise ValueError(f"crs is {_check.short(crs)}, which names no coordinate system that PROJ knows; "
                              "give 'EPSG:25830', WKT, or an EPSG number") from None
         raise Error(f"{said} (crs {_check.short(crs)}, transform {tuple(six)})") from None
