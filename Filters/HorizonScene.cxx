@@ -6,6 +6,7 @@
 #include "HeightPyramid.h"
 #include "MemoryDemand.h"
 #include "Normals.h"
+#include "RayBending.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
@@ -31,6 +32,12 @@ namespace skyline
 
 namespace
 {
+
+// What straight rays may be wrong by at their far end without a warning: terrain that shapes a horizon is
+// seldom further away. Rasters in degrees stay within both up to 80 degrees of latitude.
+constexpr double BendingReach = 20000.0; // metres
+constexpr double BendingDistance = 0.005;
+constexpr double BendingAzimuth = 0.6; // degrees
 
 void SetMetric(Grid& grid, const PostMetric& metric)
 {
@@ -175,6 +182,26 @@ HorizonScene::HorizonScene(vtkImageData* image, vtkDataArray* heights, const Opt
     this->Settings.Sink = (1.0 - refraction) / (2.0 * this->Where.LocalRadius(latitude));
   }
   this->Bands = RowBands(this->Where, PostSpacing{ grid.SpacingX, grid.SpacingY }, BandTolerance);
+  this->DoubtBending();
+}
+
+void HorizonScene::DoubtBending()
+{
+  if (this->Metric.Uniform())
+  {
+    return;
+  }
+  const RayBending bending = MeasureRayBending(this->Where, BendingReach);
+  if (bending.Distance <= BendingDistance && bending.Azimuth <= BendingAzimuth)
+  {
+    return;
+  }
+  this->Doubts.push_back(
+    { "the map bends far rays: at " + std::to_string(std::lround(bending.Length)) +
+        " m distances are wrong by up to " + Percent(bending.Distance) +
+        " % and directions by up to " + Degrees(bending.Azimuth * RadiansPerDegree) + " degrees",
+      "rays straight on the map, with the lengths at their receiver",
+      "a raster warped to a local map such as UTM (gdalwarp -t_srs)" });
 }
 
 std::uint64_t HorizonScene::Fingerprint()

@@ -116,6 +116,7 @@ public:
   int PyramidBuilds = 0;
 
 private:
+  void DoubtBending();
   std::shared_ptr<const HeightPyramid> PyramidOfHeights();
   bool TakesColumns(const std::vector<double>& azimuths) const;
   bool FollowsGround() const;

@@ -87,7 +87,7 @@ int DescriptorOf(const std::string& path)
   const std::string folder = RealPath(FolderOf(path));
   const bool own =
     folder == RealPath("/proc/self/fd") || folder == RealPath("/proc/thread-self/fd");
-  return own ? std::atoi(name.c_str()) : -1;
+  return own ? static_cast<int>(std::strtol(name.c_str(), nullptr, 10)) : -1;
 }
 
 unsigned long CodeFor(int error)

@@ -16,6 +16,8 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 namespace skyline
@@ -97,7 +99,7 @@ private:
 
   Dataset Open(const GdalErrors& errors) const
   {
-    // Every job opens it: the folder may be long.
+    // Every thread opens it: the folder may be long.
     const CPLConfigOptionSetter noListing("GDAL_DISABLE_READDIR_ON_OPEN", "TRUE", false);
     const std::array<const char*, 2> drivers{ { "GTiff", nullptr } };
     Dataset dataset(GDALDataset::Open(this->File.GetPath().c_str(),
@@ -166,7 +168,7 @@ private:
   void Compare(int row, int count, int first, int bands) const
   {
     const GdalErrors errors;
-    const Dataset dataset = this->Open(errors);
+    Dataset dataset = this->Borrow(errors);
     const int columns = this->Content.Columns;
     const std::size_t size = static_cast<std::size_t>(columns) * static_cast<std::size_t>(count);
     std::vector<T> wanted(size), stored(size);
@@ -186,6 +188,23 @@ private:
         this->Fail("band " + std::to_string(band + 1));
       }
     }
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Idle.push_back(std::move(dataset));
+  }
+
+  /// An open file for one job: opening a file of thousands of bands takes longer than reading one.
+  Dataset Borrow(const GdalErrors& errors) const
+  {
+    {
+      const std::lock_guard<std::mutex> lock(this->Mutex);
+      if (!this->Idle.empty())
+      {
+        Dataset dataset = std::move(this->Idle.back());
+        this->Idle.pop_back();
+        return dataset;
+      }
+    }
+    return this->Open(errors);
   }
 
   /// An overview has all its blocks, and each can be unpacked.
@@ -213,6 +232,8 @@ private:
   const GeoTiffPromise& Promise;
   const GeoTiffContent& Content;
   const AtomicFile& File;
+  mutable std::mutex Mutex;
+  mutable std::vector<Dataset> Idle; ///< open, and nobody reads
 };
 
 } // namespace

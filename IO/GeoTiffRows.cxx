@@ -77,7 +77,8 @@ private:
     CPLStringList options(CSLDuplicate(const_cast<char**>(this->Way.Options)));
     if (!options.FetchBool("TILED", false))
     {
-      const int strip = std::atoi(options.FetchNameValueDef("BLOCKYSIZE", "1"));
+      const int strip =
+        static_cast<int>(std::strtol(options.FetchNameValueDef("BLOCKYSIZE", "1"), nullptr, 10));
       options.SetNameValue("BLOCKYSIZE", std::to_string(std::min(strip, count)).c_str());
     }
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");

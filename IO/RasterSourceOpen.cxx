@@ -74,6 +74,7 @@ void RasterSource::CheckCrs()
     return;
   }
   this->CheckComplaints(); // which say more
+  this->RefuseOtherPlaces();
   const UnreadCrs unread = FindUnreadCrs(*this->Dataset);
   if (!unread.Part.empty())
   {

@@ -10,6 +10,7 @@
 #include <ctime>
 #include <mutex>
 #include <random>
+#include <utility>
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -174,7 +175,7 @@ std::string OwnerOf(const std::string& name)
     if (length > 0 && name.size() > length &&
       name.compare(name.size() - length, length, suffix) == 0)
     {
-      const std::string owner = name.substr(0, name.size() - length);
+      std::string owner = name.substr(0, name.size() - length);
       if (owner.find(NameMiddle) != std::string::npos)
       {
         return owner;
@@ -219,8 +220,10 @@ Temporary::Temporary(const std::string& folder, const std::string& extension, mo
   int error = EEXIST;
   for (int attempt = 0; attempt < 100 && error == EEXIST; ++attempt)
   {
-    this->Path = folder + "/" + NameBegin + std::to_string(::getpid()) + "-" +
-      std::to_string(random()) + NameMiddle + extension;
+    std::string path = folder;
+    path.append("/").append(NameBegin).append(std::to_string(::getpid())).append("-");
+    path.append(std::to_string(random())).append(NameMiddle).append(extension);
+    this->Path = std::move(path);
     // In the list before it exists, so that no signal finds it unlisted.
     this->Slot = Enter(this->Path);
     this->File =

@@ -99,6 +99,15 @@ vtkSmartPointer<vtkImageData> WithAlpha(vtkImageData* image)
 constexpr int FirstReach = 8;
 constexpr int MostReach = 512;
 
+// In small letters, with its point.
+std::string ExtensionOf(const std::string& file)
+{
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
 // The middle post or two of `count`, and `reach` on both sides; never one alone.
 void Middle(int count, int reach, int& first, int& last)
 {
@@ -241,6 +250,15 @@ void CheckOutput(const std::string& output, const std::vector<std::string>& inpu
 void WriteRaster(vtkAlgorithm* source, const std::vector<std::string>& arrays,
   const OutputOptions& options, const Talk& talk)
 {
+  const std::string extension = ExtensionOf(options.File);
+  if (!extension.empty() && extension != ".tif" && extension != ".tiff")
+  {
+    PrintWarning(Doubt{ "the name '" + options.File +
+                     "' does not end in .tif, and rasters are written as "
+                     "GeoTIFF",
+                   "a GeoTIFF of that name is wanted", "" },
+      talk);
+  }
   vtkNew<vtkHeightFieldWriter> writer;
   writer->SetFileName(options.File.c_str());
   writer->SetInputConnection(source->GetOutputPort());
@@ -256,9 +274,7 @@ void WriteRaster(vtkAlgorithm* source, const std::vector<std::string>& arrays,
 
 PictureFormat FormatOf(const std::string& file)
 {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = ExtensionOf(file);
   if (extension == ".png")
   {
     return PictureFormat::Png;

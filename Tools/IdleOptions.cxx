@@ -31,8 +31,8 @@ void IdleOptions::Warn(bool idle, std::initializer_list<const char*> options,
   {
     if (idle && this->Given(option))
     {
-      PrintWarning(Doubt{ std::string(option) + " does nothing here: " + reason,
-                     "the result without it", "" },
+      PrintWarning(
+        Doubt{ std::string(option) + " does nothing here: " + reason, "the result without it", "" },
         talk);
     }
   }

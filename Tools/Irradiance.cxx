@@ -62,13 +62,15 @@ struct IrradianceCommand
     const bool lampsAlone = kind == SkyKind::None && !sun;
     options.Refuse(lampsAlone && harmonics, { "--method" },
       "lamps are no matter of sh; leave it out, or give a sky or a sun");
-    options.Warn(lampsAlone, { "--horizon", "--tolerance" }, "lamps alone need no horizons", this->Talk);
+    options.Warn(
+      lampsAlone, { "--horizon", "--tolerance" }, "lamps alone need no horizons", this->Talk);
     const bool drawn = sun && this->Lights.Sun.Radius.value_or(0.0) > skyline::LargestSun;
     options.Warn(lampsAlone || (!harmonics && kind == SkyKind::None && !drawn),
       { "--azimuths", "--quadrature", "--no-refinement" },
       "only a sky is spread over azimuths, a sun or a lamp has its own", this->Talk);
     options.Warn((kind == SkyKind::Uniform || kind == SkyKind::Zonal) && !drawn,
-      { "--no-refinement" }, "this sky is equally bright all around and is not refined", this->Talk);
+      { "--no-refinement" }, "this sky is equally bright all around and is not refined",
+      this->Talk);
   }
 
   void Run() const

@@ -23,17 +23,6 @@ constexpr int MostThreads = 4096;
 const skyline::Limits RefractionLimits{ "-100 to below 1, 0.13 in usual air", -100.0, 1.0, false,
   true };
 
-// A name without an extension may be a device.
-std::string CheckRasterName(const std::string& name)
-{
-  std::string extension = std::filesystem::path(name).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return extension.empty() || extension == ".tif" || extension == ".tiff"
-    ? ""
-    : "cannot write '" + name + "': rasters are written as GeoTIFF; end the name in .tif";
-}
-
 } // namespace
 
 namespace skyline
@@ -72,14 +61,9 @@ void SourceOptions::AddTo(CLI::App& command)
     ->allow_extra_args(false);
 }
 
-void OutputOptions::AddTo(CLI::App& command, const std::string& what, bool required, bool raster)
+void OutputOptions::AddTo(CLI::App& command, const std::string& what, bool required)
 {
-  CLI::Option* file =
-    command.add_option("-o,--output", this->File, what)->required(required)->type_name("FILE");
-  if (raster)
-  {
-    file->check(Checked(CheckRasterName));
-  }
+  command.add_option("-o,--output", this->File, what)->required(required)->type_name("FILE");
   command.add_flag("--cloud-optimized", this->CloudOptimized,
     "Write a cloud-optimized GeoTIFF: tiled, with overviews");
 }

@@ -54,7 +54,7 @@ struct OutputOptions
 {
   std::string File;
   bool CloudOptimized = false;
-  void AddTo(CLI::App& command, const std::string& what, bool required = true, bool raster = true);
+  void AddTo(CLI::App& command, const std::string& what, bool required = true);
 };
 
 /// What a command wants to know about horizons.

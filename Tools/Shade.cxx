@@ -277,7 +277,7 @@ void AddShade(CLI::App& program)
     "picture (sRGB, 8 bit; .tif with its\nplace on the map), .exr the linear light before "
     "exposure.");
   command->Terrain.AddTo(*app);
-  command->Output.AddTo(*app, "Picture to write: .png, .exr or .tif", true, false);
+  command->Output.AddTo(*app, "Picture to write: .png, .exr or .tif");
   command->Sun.AddTo(*app);
   command->Look.AddSkyTo(*app);
   command->Lights.AddLampsTo(*app);

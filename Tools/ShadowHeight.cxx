@@ -83,7 +83,7 @@ void AddShadowHeight(CLI::App& program)
     "the sun is hidden, above the second none; these may lie under the ground. One sun "
     "for the whole DEM:\nwith --time, that over its centre. ");
   command->Terrain.AddTo(*app);
-  command->Output.AddTo(*app, "GeoTIFF to write", true);
+  command->Output.AddTo(*app, "GeoTIFF to write");
   command->Sun.AddTo(*app, false);
   app->add_flag("--soft", command->Soft, "Add the shadow heights of the limbs of the sun's disc");
   HorizonNeeds needs;

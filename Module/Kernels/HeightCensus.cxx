@@ -33,30 +33,18 @@ constexpr std::int64_t ManyPosts = 16;
 /// What is said of one raster at most: more than that is noise, and the first ones tell it.
 constexpr std::size_t MostDoubts = 3;
 
+/// 1e3, 1e4 and so on.
+bool PowerOfTen(double value)
+{
+  constexpr std::array<double, 13> powers{ { 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
+    1e13, 1e14, 1e15 } };
+  return std::find(powers.begin(), powers.end(), value) != powers.end();
+}
+
 /// 999, 9999, 99999 and so on.
 bool AllNines(double value)
 {
-  for (double power = 1.0e3; power <= 1.0e15; power *= 10.0)
-  {
-    if (value == power - 1.0)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-/// 1e4, 1e5, and so on.
-bool PowerOfTen(double value)
-{
-  for (double power = 1.0e4; power <= 1.0e15; power *= 10.0)
-  {
-    if (value == power)
-    {
-      return true;
-    }
-  }
-  return false;
+  return PowerOfTen(value + 1.0);
 }
 
 /// Values that programs use for "no height": nines, negative powers of ten, the ends of integers.
@@ -64,7 +52,7 @@ bool FillValue(double value)
 {
   constexpr std::array<double, 9> ends{ { -32768.0, -32767.0, 32767.0, 65535.0, -2147483648.0,
     -2147483647.0, 2147483647.0, 4294967295.0, -9223372036854775808.0 } };
-  return AllNines(std::abs(value)) || PowerOfTen(-value) ||
+  return AllNines(std::abs(value)) || (value <= -1e4 && PowerOfTen(-value)) ||
     std::find(ends.begin(), ends.end(), value) != ends.end();
 }
 
