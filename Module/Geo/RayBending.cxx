@@ -30,11 +30,12 @@ RayBending MeasureRayBending(const Georeference& place, double longest)
   }
   const GeographicLib::Geodesic ellipsoid(place.EquatorialRadius, place.Flattening);
   constexpr int places = PlacesAlongSide * PlacesAlongSide;
-  const auto columnOf = [&](int i) {
-    return static_cast<double>(place.Columns - 1) * (i % PlacesAlongSide) / (PlacesAlongSide - 1);
-  };
-  const auto rowOf = [&](int i)
-  { return static_cast<double>(place.Rows - 1) * (i / PlacesAlongSide) / (PlacesAlongSide - 1); };
+  // Of the way from the first post to the last.
+  const auto part = [](int step) { return static_cast<double>(step) / (PlacesAlongSide - 1); };
+  const double lastColumn = static_cast<double>(place.Columns - 1);
+  const double lastRow = static_cast<double>(place.Rows - 1);
+  const auto columnOf = [&](int i) { return lastColumn * part(i % PlacesAlongSide); };
+  const auto rowOf = [&](int i) { return lastRow * part(i / PlacesAlongSide); };
   for (int from = 0; from < places; ++from)
   {
     const double column = columnOf(from), row = rowOf(from);
@@ -51,17 +52,17 @@ RayBending MeasureRayBending(const Georeference& place, double longest)
       {
         continue;
       }
-      const double part = std::min(1.0, longest / whole);
-      columns *= part;
-      rows *= part;
+      const double used = std::min(1.0, longest / whole);
+      columns *= used;
+      rows *= used;
       double endLongitude = 0.0, endLatitude = 0.0, metres = 0.0, azimuth = 0.0, endAzimuth = 0.0;
       place.LonLatAt(column + columns, row + rows, endLongitude, endLatitude);
       ellipsoid.Inverse(
         latitude, longitude, endLatitude, endLongitude, metres, azimuth, endAzimuth);
       const double turn = std::remainder(azimuth - AzimuthOf(east, north), 360.0);
-      worst.Distance = std::max(worst.Distance, std::abs(part * whole / metres - 1.0));
+      worst.Distance = std::max(worst.Distance, std::abs(used * whole / metres - 1.0));
       worst.Azimuth = std::max(worst.Azimuth, std::abs(turn));
-      worst.Length = std::max(worst.Length, part * whole);
+      worst.Length = std::max(worst.Length, used * whole);
     }
   }
   return worst;

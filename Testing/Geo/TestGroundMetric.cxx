@@ -2,6 +2,7 @@
 // Lengths and angles of the posts, their division into patches, and azimuths there and back.
 #include "GroundMetric.h"
 #include "Places.h"
+#include "RayBending.h"
 #include "RayFan.h"
 
 #include <GeographicLib/Geodesic.hpp>
@@ -217,4 +218,27 @@ TEST(RayFan, OneRayWhereOneIsEnough)
   const GroundMetric metric(large, { 1000.0, 1000.0 });
   EXPECT_FALSE(RayFan(metric, 45.0, false, true).IsOne());
   EXPECT_TRUE(RayFan(metric, 45.0, true, false).IsOne());
+}
+
+// A line that sets out to the east turns by tan(latitude) / R a metre from its parallel: at its end the
+// geodesic is off by half of that, to first order. On the equator nothing bends.
+TEST(RayBending, AlongAParallel)
+{
+  const double reach = 20000.0;
+  const auto bend = [&](double latitude)
+  {
+    return MeasureRayBending(
+      OnMap(Geographic, 10.0, latitude - 0.05, 0.01, 0.001, 101, 101), reach);
+  };
+  const double latitude = 60.0;
+  const double radius = 6.378e6; // within half a per cent of both radii of curvature
+  const double expected = std::tan(latitude * RadiansPerDegree) * reach / (2.0 * radius);
+  const RayBending found = bend(latitude);
+  EXPECT_NEAR(found.Length, reach, 1.0);
+  EXPECT_GE(found.Azimuth * RadiansPerDegree, 0.99 * expected);
+  EXPECT_LE(
+    found.Azimuth * RadiansPerDegree, 1.1 * expected); // slanted rays reach higher latitudes
+  EXPECT_LT(bend(0.0).Azimuth, 1e-3);
+  EXPECT_LT(bend(0.0).Distance, 1e-5);
+  EXPECT_EQ(MeasureRayBending(Georeference(), reach).Length, 0.0);
 }

@@ -60,7 +60,7 @@ class Irradiance(ToolTest):
     def test_white_furnace(self):
         # Open level ground under radiance 1 gets pi, whatever turns or integrates it.
         for options in [[], ["--rotation", "33", "--quiet"], ["--quadrature", "blend"], ["--method", "sh"],
-                        ["--quadrature", "linear", "--azimuths", "7"], ["--no-refinement"],
+                        ["--quadrature", "linear", "--azimuths", "7"], ["--no-refinement", "--quiet"],
                         ["--environment", "cie:5"]]:
             light = self.irradiance(self.level(), *options)
             self.assertLess(np.abs(light - np.pi).max(), 1e-4, options)

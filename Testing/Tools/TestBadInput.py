@@ -117,7 +117,7 @@ class BadInput(ToolTest):
         before = content(self.dem)
         os.symlink(self.dem, self.path("link.tif"))
         for name in [self.dem, self.path("link.tif")]:
-            self.refused(1, "horizon", self.dem, "-o", name, says="DEM")
+            self.refused(1, "horizon", self.dem, "-o", name, says="part of the input")
         self.assertEqual(content(self.dem), before)
 
     def test_full_disk(self):
@@ -148,7 +148,7 @@ class BadInput(ToolTest):
     def test_failure_leaves_an_older_file_as_it_was(self):
         with open(self.path("out.tif"), "w") as older:
             older.write("precious")
-        self.refused(1, "horizon", self.dem, "-o", self.path("out.tif"), "--azimuths", "0")
+        self.refused(1, "horizon", self.dem, "-o", self.path("out.tif"), "--band", "9")
         self.assertEqual(content(self.path("out.tif")), b"precious")
 
     def test_standard_output_that_cannot_be_written(self):
