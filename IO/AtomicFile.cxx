@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <thread>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -240,21 +241,42 @@ void AtomicFile::Replace()
   {
     this->Fail(errno);
   }
-  // First, for a raster beside another one's side files would have a wrong place and wrong values.
+  // Side files go aside first, for a raster beside those of another one would have a wrong place and
+  // wrong values, and come back if it cannot be replaced.
+  std::vector<const char*> aside;
+  const auto away = [this](const char* suffix) { return this->GetPath() + ".old" + suffix; };
+  const auto comeBack = [&]
+  {
+    for (const char* suffix : aside)
+    {
+      (void)::rename(away(suffix).c_str(), (this->Real + suffix).c_str());
+    }
+  };
   for (const char* suffix : SideFiles)
   {
     const std::string side = this->Real + suffix;
-    if (::unlink(side.c_str()) != 0 && errno != ENOENT)
+    if (::rename(side.c_str(), away(suffix).c_str()) == 0)
+    {
+      aside.push_back(suffix);
+    }
+    else if (errno != ENOENT)
     {
       const int error = errno;
+      comeBack();
       throw IoFailure(CodeFor(error),
         "cannot write '" + this->Target + "': its side file '" + side +
-          "' cannot be removed: " + std::strerror(error) + CureFor(error));
+          "' cannot be moved: " + std::strerror(error) + CureFor(error));
     }
   }
   if (::rename(this->GetPath().c_str(), this->Real.c_str()) != 0)
   {
-    this->Fail(errno);
+    const int error = errno;
+    comeBack();
+    this->Fail(error);
+  }
+  for (const char* suffix : aside)
+  {
+    ::unlink(away(suffix).c_str());
   }
   const std::string side = this->GetPath() + ".aux.xml";
   if (::rename(side.c_str(), (this->Real + ".aux.xml").c_str()) != 0 && errno != ENOENT)

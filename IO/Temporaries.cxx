@@ -30,8 +30,8 @@ constexpr const char* NameMiddle = ".part";
 
 /// What may lie beside a temporary: GDAL's metadata, our intermediate, the COG driver's overviews.
 /// The file itself is the last: a name that is there without it is nobody's.
-constexpr std::array<const char*, 6> Suffixes{ { ".aux.xml", IntermediateSuffix,
-  ".part.tif.aux.xml", ".ovr.tmp", ".msk.ovr.tmp", "" } };
+constexpr std::array<const char*, 9> Suffixes{ { ".old.aux.xml", ".old.ovr", ".old.msk", ".aux.xml",
+  IntermediateSuffix, ".part.tif.aux.xml", ".ovr.tmp", ".msk.ovr.tmp", "" } };
 constexpr std::size_t LongestSuffix = 32;
 
 /// Seconds after which a file without the temporary that it lies beside is nobody's: meanwhile its

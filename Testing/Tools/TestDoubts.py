@@ -204,7 +204,7 @@ class Numbers(ToolTest):
     def test_a_rotation_of_any_size(self):
         dem = make(self.path("dem.tif"), hills(20, 20), epsg=UTM10)
         out, wanted = self.path("out.tif"), self.path("wanted.tif")
-        sky = ["--environment", "cie:12", "--azimuths", 16]
+        sky = ["--environment", "cie:12", "--azimuths", 16, "--quiet"]
         for rotation in [1e20, -1e20, 1e300, 360000045.0]:
             self.succeed("irradiance", dem, "-o", out, *sky, "--rotation", rotation)
             self.succeed("irradiance", dem, "-o", wanted, *sky, "--rotation",
