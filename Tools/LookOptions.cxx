@@ -12,7 +12,7 @@ namespace
 
 constexpr const char* Automatic = "auto";
 
-const skyline::Limits ExposureLimits{ "auto, or stops from -100 to 100", -100.0, 100.0 };
+const skyline::Limits ExposureLimits{ "auto, or stops from -1000 to 1000", -1000.0, 1000.0 };
 const skyline::Limits ExaggerationLimits{ "a number above 0, up to 1000", 0.0, 1000.0, true };
 
 std::string CheckExposure(const std::string& text)

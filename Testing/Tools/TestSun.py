@@ -55,7 +55,7 @@ class Position(ToolTest):
     def test_time_zones(self):
         dem = make(self.path("dem.tif"), hills(5, 6), epsg=UTM10)
         utc = self.position(dem, "--time", "2026-06-21T16:00Z")
-        for same in ["2026-06-21T16:00", "2026-06-21T18:00+02:00", "2026-06-21T09:00-07:00"]:
+        for same in ["2026-06-21 16:00:00+00:00", "2026-06-21T18:00+02:00", "2026-06-21T09:00-07:00"]:
             self.assertEqual(self.position(dem, "--time", same), utc)
 
     def test_grid_north_is_turned_by_the_convergence(self):
