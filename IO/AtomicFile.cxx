@@ -25,9 +25,6 @@ namespace skyline
 namespace
 {
 
-/// What GDAL reads together with a raster, and what must not outlive it.
-constexpr std::array<const char*, 3> SideFiles{ { ".aux.xml", ".ovr", ".msk" } };
-
 /// A file system with less space than this counts as full: writers ask for about this much.
 constexpr double NoSpace = 64.0 * 1024;
 
@@ -241,43 +238,25 @@ void AtomicFile::Replace()
   {
     this->Fail(errno);
   }
+  // First, for once the temporary has the target's name, a killed process would leave them to nobody.
+  this->File->RemoveIntermediates();
   // Side files go aside first, for a raster beside those of another one would have a wrong place and
   // wrong values, and come back if it cannot be replaced.
-  std::vector<const char*> aside;
-  const auto away = [this](const char* suffix) { return this->GetPath() + ".old" + suffix; };
-  const auto comeBack = [&]
+  const std::string stuck = this->File->PutAside(this->Real);
+  if (!stuck.empty())
   {
-    for (const char* suffix : aside)
-    {
-      (void)::rename(away(suffix).c_str(), (this->Real + suffix).c_str());
-    }
-  };
-  for (const char* suffix : SideFiles)
-  {
-    const std::string side = this->Real + suffix;
-    if (::rename(side.c_str(), away(suffix).c_str()) == 0)
-    {
-      aside.push_back(suffix);
-    }
-    else if (errno != ENOENT)
-    {
-      const int error = errno;
-      comeBack();
-      throw IoFailure(CodeFor(error),
-        "cannot write '" + this->Target + "': its side file '" + side +
-          "' cannot be moved: " + std::strerror(error) + CureFor(error));
-    }
+    const int error = errno;
+    throw IoFailure(CodeFor(error),
+      "cannot write '" + this->Target + "': its side file '" + stuck +
+        "' cannot be moved: " + std::strerror(error) + CureFor(error));
   }
   if (::rename(this->GetPath().c_str(), this->Real.c_str()) != 0)
   {
     const int error = errno;
-    comeBack();
+    this->File->BringBack();
     this->Fail(error);
   }
-  for (const char* suffix : aside)
-  {
-    ::unlink(away(suffix).c_str());
-  }
+  this->File->DropAside();
   const std::string side = this->GetPath() + ".aux.xml";
   if (::rename(side.c_str(), (this->Real + ".aux.xml").c_str()) != 0 && errno != ENOENT)
   {

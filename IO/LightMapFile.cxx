@@ -144,6 +144,7 @@ void LightMapFile::Open()
       "cannot read '" + this->File + "': " + Reason(OIIO::geterror()) +
         "; install OpenImageIO with its formats");
   }
+  this->Input->threads(1);
   if (!this->Input->open(this->File, this->Spec))
   {
     throw IoFailure(vtkErrorCode::FileFormatError,

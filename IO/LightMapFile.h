@@ -5,6 +5,7 @@
 
 #include "CubeMap.h"
 #include "LightMap.h"
+#include "NoImageThreads.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -47,6 +48,7 @@ private:
   [[noreturn]] void Refuse(const std::string& reason) const;
 
   std::string File;
+  NoImageThreads Alone;
   std::unique_ptr<OIIO::ImageInput> Input;
   OIIO::ImageSpec Spec; ///< of the first part, full resolution
   int FirstChannel = 0;

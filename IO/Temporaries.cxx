@@ -11,6 +11,7 @@
 #include <mutex>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -30,9 +31,15 @@ constexpr const char* NameMiddle = ".part";
 
 /// What may lie beside a temporary: GDAL's metadata, our intermediate, the COG driver's overviews.
 /// The file itself is the last: a name that is there without it is nobody's.
-constexpr std::array<const char*, 9> Suffixes{ { ".old.aux.xml", ".old.ovr", ".old.msk", ".aux.xml",
-  IntermediateSuffix, ".part.tif.aux.xml", ".ovr.tmp", ".msk.ovr.tmp", "" } };
+constexpr const char* MetadataSuffix = ".aux.xml";
+constexpr std::array<const char*, 6> Suffixes{ { MetadataSuffix, IntermediateSuffix,
+  ".part.tif.aux.xml", ".ovr.tmp", ".msk.ovr.tmp", "" } };
 constexpr std::size_t LongestSuffix = 32;
+
+/// "TEMPORARY.of.NAME": the side file NAME of the raster that TEMPORARY is about to replace. Whoever
+/// removes the temporary gives it its name back; where the temporary is gone otherwise, it was renamed,
+/// and the side file is that of a raster that is no more.
+constexpr const char* AsideMiddle = ".of.";
 
 /// Seconds after which a file without the temporary that it lies beside is nobody's: meanwhile its
 /// process may be about to rename it.
@@ -49,6 +56,8 @@ struct Entry
   };
   std::atomic<int> State{ Free };
   char Path[PATH_MAX] = {};
+  std::atomic<bool> Aside{ false };
+  char Target[PATH_MAX] = {}; ///< whose side files are aside
 };
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads it");
 std::array<Entry, 16> Entries;
@@ -66,6 +75,7 @@ int Enter(const std::string& path)
     if (Entries[i].State.compare_exchange_strong(expected, Entry::Changing))
     {
       std::memcpy(Entries[i].Path, path.c_str(), path.size() + 1);
+      Entries[i].Aside = false;
       Entries[i].State = Entry::Used;
       return static_cast<int>(i);
     }
@@ -185,30 +195,83 @@ std::string OwnerOf(const std::string& name)
   return name;
 }
 
-void SweepName(int folder, const std::string& name)
+/// Gives a side file its name back, unless there is another one by now.
+void NameAgain(int folder, const std::string& aside, const std::string& name)
 {
-  if (name.rfind(NameBegin, 0) != 0 || name.find(NameMiddle) == std::string::npos)
+  (void)::linkat(folder, aside.c_str(), folder, name.c_str(), 0);
+  ::unlinkat(folder, aside.c_str(), 0);
+}
+
+bool IsGone(int folder, const std::string& name)
+{
+  struct stat status;
+  return ::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0 && errno == ENOENT;
+}
+
+bool IsOurs(int folder, const std::string& name)
+{
+  struct stat status;
+  return ::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
+    status.st_uid == ::geteuid();
+}
+
+/// A side file that its process did not come to remove.
+void SweepAside(int folder, const std::string& name)
+{
+  const std::string owner = name.substr(0, name.find(AsideMiddle));
+  if (IsGone(folder, owner) && IsOurs(folder, name))
   {
-    return;
+    ::unlinkat(folder, name.c_str(), 0);
   }
+}
+
+/// A temporary, or what lies beside it; `asides` are the folder's side files under other names.
+void SweepName(int folder, const std::string& name, const std::vector<std::string>& asides)
+{
   const std::string owner = OwnerOf(name);
   struct stat status;
-  const bool alone = owner != name &&
-    ::fstatat(folder, owner.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0 && errno == ENOENT &&
+  const bool alone = owner != name && IsGone(folder, owner) &&
     ::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
     std::difftime(std::time(nullptr), status.st_mtime) > AloneSeconds;
   if (!alone && !RemoveDead(folder, owner.c_str()))
   {
     return;
   }
+  for (const std::string& aside : asides)
+  {
+    const std::size_t middle = aside.find(AsideMiddle);
+    if (aside.compare(0, middle, owner) == 0 && IsOurs(folder, aside))
+    {
+      NameAgain(folder, aside, aside.substr(middle + std::strlen(AsideMiddle)));
+    }
+  }
   for (const char* suffix : Suffixes)
   {
-    if (*suffix && ::fstatat(folder, (owner + suffix).c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
-      status.st_uid == ::geteuid())
+    if (*suffix && IsOurs(folder, owner + suffix))
     {
       ::unlinkat(folder, (owner + suffix).c_str(), 0);
     }
   }
+}
+
+/// Bytes of a path and of the name that follows AsideMiddle.
+constexpr std::size_t LongestAside = PATH_MAX + NAME_MAX + 1;
+
+/// Appends `text` to the string that ends at `end`; returns the new end.
+char* Append(char* end, const char* text)
+{
+  const std::size_t length = std::strlen(text);
+  std::memcpy(end, text, length + 1);
+  return end + length;
+}
+
+/// The name of a side file while it is aside, in a buffer of LongestAside bytes; no memory is asked
+/// for, so a signal handler may call it.
+void NameAside(char* aside, const char* path, const char* target, const char* suffix)
+{
+  const char* slash = std::strrchr(target, '/');
+  aside = Append(Append(aside, path), AsideMiddle);
+  Append(Append(aside, slash ? slash + 1 : target), suffix);
 }
 
 } // namespace
@@ -251,6 +314,73 @@ Temporary::~Temporary()
   Handlers::Get().Drop();
 }
 
+void Temporary::RemoveIntermediates()
+{
+  for (const char* suffix : Suffixes)
+  {
+    if (*suffix && suffix != MetadataSuffix)
+    {
+      ::unlink((this->Path + suffix).c_str());
+    }
+  }
+}
+
+std::string Temporary::PutAside(const std::string& target)
+{
+  // All names first: with a side file aside, nothing may fail any more for want of memory.
+  const std::string aside = this->Path + AsideMiddle + target.substr(target.rfind('/') + 1);
+  for (std::size_t i = 0; i < SideFiles.size(); ++i)
+  {
+    this->Sides[i] = target + SideFiles[i];
+    this->Asides[i] = aside + SideFiles[i];
+  }
+  if (this->Slot >= 0 && this->Asides[0].size() + LongestSuffix < LongestAside)
+  {
+    Entry& entry = Entries[static_cast<std::size_t>(this->Slot)];
+    std::memcpy(entry.Target, target.c_str(), target.size() + 1);
+    entry.Aside = true;
+  }
+  for (std::size_t i = 0; i < SideFiles.size(); ++i)
+  {
+    const std::string& side = this->Sides[i];
+    const bool possible = side.size() - (side.rfind('/') + 1) <= NAME_MAX;
+    if (possible && ::rename(side.c_str(), this->Asides[i].c_str()) != 0 && errno != ENOENT)
+    {
+      const int error = errno;
+      this->BringBack();
+      errno = error;
+      return side;
+    }
+  }
+  return "";
+}
+
+void Temporary::BringBack()
+{
+  for (std::size_t i = 0; i < SideFiles.size(); ++i)
+  {
+    (void)::rename(this->Asides[i].c_str(), this->Sides[i].c_str());
+  }
+  this->ForgetAside();
+}
+
+void Temporary::DropAside()
+{
+  for (const std::string& aside : this->Asides)
+  {
+    ::unlink(aside.c_str());
+  }
+  this->ForgetAside();
+}
+
+void Temporary::ForgetAside()
+{
+  if (this->Slot >= 0)
+  {
+    Entries[static_cast<std::size_t>(this->Slot)].Aside = false;
+  }
+}
+
 void Temporary::Remove()
 {
   if (this->File >= 0)
@@ -276,9 +406,23 @@ try
   DIR* entries = ::opendir(folder.c_str());
   if (entries)
   {
+    const int file = ::dirfd(entries);
+    std::vector<std::string> names, asides;
     while (const dirent* entry = ::readdir(entries))
     {
-      SweepName(::dirfd(entries), entry->d_name);
+      const std::string name = entry->d_name;
+      if (name.rfind(NameBegin, 0) == 0 && name.find(NameMiddle) != std::string::npos)
+      {
+        (name.find(AsideMiddle) == std::string::npos ? names : asides).push_back(name);
+      }
+    }
+    for (const std::string& name : asides)
+    {
+      SweepAside(file, name);
+    }
+    for (const std::string& name : names)
+    {
+      SweepName(file, name, asides);
     }
     ::closedir(entries);
   }
@@ -299,7 +443,21 @@ void RemoveTemporaries() noexcept
     }
     char path[PATH_MAX];
     const std::size_t length = std::strlen(entry.Path);
-    std::memcpy(path, entry.Path, length);
+    std::memcpy(path, entry.Path, length + 1);
+    // Without its name, it cannot be renamed to the target any more; where it has been, its side files
+    // are those of a raster that is no more.
+    const bool removed = ::unlink(path) == 0;
+    for (const char* suffix : SideFiles)
+    {
+      if (!entry.Aside)
+      {
+        break;
+      }
+      char aside[LongestAside], name[LongestAside];
+      NameAside(aside, entry.Path, entry.Target, suffix);
+      Append(Append(name, entry.Target), suffix);
+      (void)(removed ? ::rename(aside, name) : ::unlink(aside));
+    }
     for (const char* suffix : Suffixes)
     {
       std::memcpy(path + length, suffix, std::strlen(suffix) + 1);

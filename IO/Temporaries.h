@@ -5,6 +5,7 @@
 
 #include "SkylineIOModule.h" // for the export macro
 
+#include <array>
 #include <string>
 
 #include <sys/types.h>
@@ -14,6 +15,9 @@ namespace skyline
 
 /// What a second temporary beside the first is called.
 constexpr const char* IntermediateSuffix = ".part.tif";
+
+/// What GDAL reads together with a raster, and what must not outlive it.
+constexpr std::array<const char*, 3> SideFiles{ { ".aux.xml", ".ovr", ".msk" } };
 
 /// One temporary file. While it lives, its descriptor holds an exclusive lock (flock), by which
 /// SweepTemporaries, in whatever process, knows that it is in use. As long as one lives, each signal
@@ -35,16 +39,35 @@ public:
   /// Open for reading and writing; closing it gives up the lock.
   int GetFile() const { return this->File; }
 
+  /// Removes what lies beside it under its name, but GDAL's metadata.
+  void RemoveIntermediates();
+
+  /// Gives the side files of `target`, in the same folder, other names, so that the temporary can be
+  /// renamed to it. Returns "" or, with errno, the one that cannot be renamed; all have their names
+  /// then. If the process ends before the temporary is renamed, they get their names back: from the
+  /// handler of the signal or, after SIGKILL, from SweepTemporaries.
+  std::string PutAside(const std::string& target);
+
+  /// The target could not be replaced: its side files get their names back.
+  void BringBack();
+
+  /// The target has been replaced: its old side files go.
+  void DropAside();
+
   /// Removes it, and all that lies beside it under its name.
   void Remove();
 
 private:
+  void ForgetAside();
+
   std::string Path;
+  std::array<std::string, SideFiles.size()> Sides, Asides; ///< the target's, and their names aside
   int File = -1;
   int Slot = -1; ///< in the list for RemoveTemporaries
 };
 
-/// Removes from `folder` the user's own temporaries that no process holds, as SIGKILL leaves them.
+/// Removes from `folder` the user's own temporaries that no process holds, as SIGKILL leaves them, and
+/// gives the side files of rasters that they were to replace their names back.
 /// Where the file system knows no locks, none goes.
 void SweepTemporaries(const std::string& folder) noexcept;
 

@@ -4,6 +4,7 @@
 #include "AtomicFile.h"
 #include "CheckedFile.h"
 #include "GeoTiffFile.h"
+#include "NoImageThreads.h"
 
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
@@ -112,24 +113,6 @@ public:
 
 private:
   skyline::CheckedFile File;
-};
-
-/// While one lives, OpenEXR starts no threads: it would take every processor, and its errors would not
-/// be heard. OpenImageIO's own are held back file by file, for setting their number starts some.
-class NoExrThreads
-{
-public:
-  NoExrThreads()
-  {
-    OIIO::getattribute("exr_threads", this->Before);
-    OIIO::attribute("exr_threads", -1);
-  }
-  ~NoExrThreads() { OIIO::attribute("exr_threads", this->Before); }
-  NoExrThreads(const NoExrThreads&) = delete;
-  NoExrThreads& operator=(const NoExrThreads&) = delete;
-
-private:
-  int Before = 0;
 };
 
 /// Pixels as they were handed to OpenImageIO: the first line is the picture's top.
@@ -262,7 +245,7 @@ void vtkHeightFieldPictureWriter::WriteImage(vtkImageData* image, const skyline:
   const OIIO::TypeDesc source = bytes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
   const OIIO::TypeDesc stored = half ? OIIO::TypeDesc(OIIO::TypeDesc::HALF) : source;
   this->Report(0.0);
-  const NoExrThreads alone;
+  const skyline::NoImageThreads alone;
   CheckedProxy proxy(file.GetPath());
   const auto output = OIIO::ImageOutput::create(file.GetPath(), &proxy);
   if (!output)

@@ -15,6 +15,7 @@ import random
 import re
 import resource
 import shutil
+import signal
 import struct
 import subprocess
 import sys
@@ -210,6 +211,15 @@ class Case:
     def is_old(self):
         return all(self.bytes_of(path) == content for path, content in self.old.items())
 
+    def is_old_for_the_next_run(self):
+        """After SIGKILL: the old raster, and its side file under another name, which the next run that
+        writes to this folder gives back."""
+        raster, side = self.old
+        aside = [name for name in os.listdir(self.folder)
+                 if name.endswith(".of." + os.path.basename(side))]
+        return (self.bytes_of(raster) == self.old[raster] and len(aside) == 1 and
+                self.bytes_of(os.path.join(self.folder, aside[0])) == self.old[side])
+
     def litter(self):
         """Files that no user asked for."""
         known = {os.path.basename(self.out), os.path.basename(self.out) + ".aux.xml"}
@@ -247,6 +257,8 @@ class Case:
             if not self.out:
                 return "right" if out == self.good else "WRONG"
             return "right" if self.is_good() else "WRONG"
+        if code == -signal.SIGKILL and self.out and self.is_old_for_the_next_run():
+            return "ended by the signal"
         if self.out and not self.is_old():
             # The last steps, such as syncing the folder, can fail when the new file is in its place.
             # Who is killed can be so before the old side file is taken away.

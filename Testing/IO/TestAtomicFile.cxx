@@ -221,6 +221,25 @@ TEST(AtomicFile, SweepsWhatTheDeadLeft)
   EXPECT_EQ(FilesIn(folder).size(), 1u);
 }
 
+// Side files of a raster that a killed process was about to replace get their names back; those of one
+// that it had replaced go.
+TEST(AtomicFile, SideFilesComeBackAfterAKill)
+{
+  const std::string folder = FreshFolder("aside");
+  Put(folder + "/.skyline-held-1-2.part.tif", "new");
+  Put(folder + "/.skyline-held-1-2.part.tif.of.out.tif.aux.xml", "old side");
+  Put(folder + "/.skyline-held-1-3.part.tif.of.done.tif.ovr", "old overviews");
+  Put(folder + "/.skyline-held-1-4.part.tif", "new");
+  Put(folder + "/.skyline-held-1-4.part.tif.of.again.tif.msk", "old mask");
+  Put(folder + "/again.tif.msk", "newer mask");
+  {
+    const AtomicFile other(folder + "/other.tif");
+  }
+  EXPECT_EQ(FilesIn(folder), (std::vector<std::string>{ "again.tif.msk", "out.tif.aux.xml" }));
+  EXPECT_EQ(Get(folder + "/out.tif.aux.xml"), "old side");
+  EXPECT_EQ(Get(folder + "/again.tif.msk"), "newer mask");
+}
+
 // Signals that nobody caught end the process as before, but without temporaries.
 TEST(AtomicFile, DefaultSignalsLeaveNothing)
 {
