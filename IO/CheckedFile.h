@@ -4,6 +4,8 @@
 #ifndef skyline_CheckedFile_h
 #define skyline_CheckedFile_h
 
+#include "SkylineIOModule.h" // for the export macro
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -13,7 +15,7 @@ namespace skyline
 
 /// Random access. From the first failed write on, the file swallows what it is given, as if all
 /// went well; whoever owns it asks GetError and throws the result away.
-class CheckedFile
+class SKYLINEIO_EXPORT CheckedFile
 {
 public:
   /// What fopen would do with "r", "r+", "w" or "w+" (b does not matter); a new file is the user's own

@@ -3,32 +3,25 @@
 #ifndef skyline_LightMapFile_h
 #define skyline_LightMapFile_h
 
-#include "CubeMap.h"
 #include "LightMap.h"
-#include "NoImageThreads.h"
 
-#include <OpenImageIO/imageio.h>
-
-#include <cstdint>
 #include <functional>
-#include <memory>
-#include <string>
 
 namespace skyline
 {
 
-/// An open file. Every function throws IoFailure with a one-line reason that names the file.
+/// An open file, from ImageLibrary. Every function throws IoFailure with a one-line reason that names
+/// the file.
 class LightMapFile
 {
 public:
-  /// Opens `file` and reads its header. What it is shows in its first bytes, not in its name.
-  explicit LightMapFile(const std::string& file);
+  virtual ~LightMapFile() = default;
 
   /// Pixels of the latitude-longitude map: the file's, or of a cube with faces of n x n pixels
   /// 4 n x 2 n.
-  int GetColumns() const { return this->Columns; }
-  int GetRows() const { return this->Rows; }
-  bool IsCube() const { return this->Cube; }
+  virtual int GetColumns() const = 0;
+  virtual int GetRows() const = 0;
+  virtual bool IsCube() const = 0;
 
   /// Called with the part done (0 to 1); false stops the reading.
   using ProgressFunction = std::function<bool(double)>;
@@ -36,26 +29,7 @@ public:
   /// Reads the map into `pixels`, Columns * Rows times three floats with the bottom row first, all
   /// finite and not negative, and says how many pixels of the file had to be mended. Throws
   /// IoAborted when `progress` says so.
-  LightMapDefects Read(float* pixels, const ProgressFunction& progress);
-
-private:
-  void Open();
-  void FindChannels();
-  void FindShape();
-  void CheckClaim(std::int64_t pixels) const;
-  std::unique_ptr<float[]> ReadPixels(const ProgressFunction& progress);
-  void PlaceInWindow(const float* values, float* pixels) const;
-  [[noreturn]] void Refuse(const std::string& reason) const;
-
-  std::string File;
-  NoImageThreads Alone;
-  std::unique_ptr<OIIO::ImageInput> Input;
-  OIIO::ImageSpec Spec; ///< of the first part, full resolution
-  int FirstChannel = 0;
-  int Channels = 3; ///< 1 (grey) or 3
-  int Columns = 0, Rows = 0;
-  bool Cube = false;
-  CubeMap Faces; ///< if a cube, without values
+  virtual LightMapDefects Read(float* pixels, const ProgressFunction& progress) = 0;
 };
 
 } // namespace skyline

@@ -60,8 +60,12 @@ void RasterSource::FailToOpen()
   const bool found = VSIStatL(this->Opened.c_str(), &status) == 0;
   const unsigned long code =
     found ? vtkErrorCode::UnrecognizedFileTypeError : vtkErrorCode::FileNotFoundError;
+  // GDAL begins with the name that ours begins with.
+  std::string reason = this->Errors.First();
+  const std::string name = this->Opened + ": ";
+  reason.erase(0, reason.rfind(name, 0) == 0 ? name.size() : 0);
   throw IoFailure(code,
-    "cannot read '" + this->File + "': " + this->Errors.First() +
+    "cannot read '" + this->File + "': " + reason +
       (found ? "; give a raster that gdalinfo can open" : "; check the path"));
 }
 

@@ -330,7 +330,8 @@ bool SourceGuard::SpellsOut(const std::string& path) const
     const std::size_t end = at + path.size();
     std::string edges = Edges;
     edges += this->File.rfind("/vsi", 0) == 0 ? "/" : ""; // a path after a file system's name
-    const bool begins = at == 0 || edges.find(this->File[at - 1]) != std::string::npos;
+    const bool begins = at == 0 || edges.find(this->File[at - 1]) != std::string::npos ||
+      (at >= 3 && this->File.compare(at - 3, 3, "://") == 0); // as in vrt://dem.tif
     const bool ends = end == this->File.size() || edges.find(this->File[end]) != std::string::npos;
     if (begins && ends)
     {

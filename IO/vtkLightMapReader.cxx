@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLightMapReader.h"
 
-#include "LightMapFile.h"
+#include "ImageLibrary.h"
 #include "ReadGuard.h"
 #include "vtkLightMapImage.h"
 #include "vtkSkylineWarning.h"
@@ -71,8 +71,8 @@ bool vtkLightMapReader::Try(const Work& work)
   this->SetErrorCode(skyline::GuardRead(this, this->FileName, "give a smaller map",
     [&](const std::string& file)
     {
-      skyline::LightMapFile source(file);
-      work(source);
+      const auto source = skyline::ImageLibrary::Get().OpenLightMap(file);
+      work(*source);
     }));
   return this->GetErrorCode() == vtkErrorCode::NoError;
 }

@@ -247,18 +247,20 @@ void CheckOutput(const std::string& output, const std::vector<std::string>& inpu
   const AtomicFile probe(output); // throws where nothing can be written
 }
 
+void CheckRasterOutput(const std::string& output, const std::vector<std::string>& inputs)
+{
+  CheckOutput(output, inputs);
+  const std::string extension = ExtensionOf(output);
+  if (!extension.empty() && extension != ".tif" && extension != ".tiff")
+  {
+    throw WrongUsage(
+      "--output: cannot write '" + output + "': a raster is written as GeoTIFF; end its name in .tif");
+  }
+}
+
 void WriteRaster(vtkAlgorithm* source, const std::vector<std::string>& arrays,
   const OutputOptions& options, const Talk& talk)
 {
-  const std::string extension = ExtensionOf(options.File);
-  if (!extension.empty() && extension != ".tif" && extension != ".tiff")
-  {
-    PrintWarning(Doubt{ "the name '" + options.File +
-                     "' does not end in .tif, and rasters are written as "
-                     "GeoTIFF",
-                   "a GeoTIFF of that name is wanted", "" },
-      talk);
-  }
   vtkNew<vtkHeightFieldWriter> writer;
   writer->SetFileName(options.File.c_str());
   writer->SetInputConnection(source->GetOutputPort());

@@ -38,6 +38,9 @@ Center ReadCenter(const TerrainOptions& options, const Talk& talk);
 /// Before any work: throws Failure if `output` cannot become a file, or is part of an input.
 void CheckOutput(const std::string& output, const std::vector<std::string>& inputs);
 
+/// The same for a raster, whose name ends in .tif or has no extension: else WrongUsage.
+void CheckRasterOutput(const std::string& output, const std::vector<std::string>& inputs);
+
 /// Writes point arrays of an updated algorithm's output as the bands of a GeoTIFF. Throws Failure,
 /// and leaves no file, if that fails.
 void WriteRaster(vtkAlgorithm* source, const std::vector<std::string>& arrays,

@@ -26,7 +26,7 @@ struct HorizonCommand
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    skyline::CheckOutput(this->Output.File, { this->Terrain.File });
+    skyline::CheckRasterOutput(this->Output.File, { this->Terrain.File });
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
     this->Horizon.WarnIdle(terrain, this->Talk);
 

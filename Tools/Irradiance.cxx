@@ -59,6 +59,8 @@ struct IrradianceCommand
       "the method sh blurs the sun beyond it; leave it out, or add --method table");
     options.Refuse(
       !harmonics, { "--bands" }, "only the method sh has them; leave it out, or add --method sh");
+    options.Warn(harmonics && !sun && kind == SkyKind::Uniform, { "--bands" },
+      "all of a uniform sky lies in the first band", this->Talk);
     const bool lampsAlone = kind == SkyKind::None && !sun;
     options.Refuse(lampsAlone && harmonics, { "--method" },
       "lamps are no matter of sh; leave it out, or give a sky or a sun");
@@ -76,7 +78,7 @@ struct IrradianceCommand
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    skyline::CheckOutput(this->Output.File, { this->Terrain.File, this->Lights.Environment });
+    skyline::CheckRasterOutput(this->Output.File, { this->Terrain.File, this->Lights.Environment });
     this->Lights.Sun.WarnOfZone(this->Talk);
     if (this->Kind() == skyline::SkyKind::Formula && !this->Lights.Sun.Asked())
     {

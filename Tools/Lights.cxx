@@ -47,8 +47,12 @@ std::string CheckLamp(const std::string& text)
   {
     return text + " has " + std::to_string(numbers->size()) + " numbers" + cure;
   }
-  return *std::min_element(numbers->begin() + 3, numbers->end()) < 0.0
-    ? text + " has a radius or radiance below 0; give 0 or more"
+  if (!((*numbers)[3] > 0.0))
+  {
+    return text + " has a radius that is not above 0; give metres, as in 1";
+  }
+  return *std::min_element(numbers->begin() + 4, numbers->end()) < 0.0
+    ? text + " has a radiance below 0; give 0 or more"
     : "";
 }
 
@@ -245,6 +249,13 @@ std::vector<LightPointer> MakeLights(
   const SunLight sun = FindSun(options.Sun, center.Place, center.Height);
   const bool sunAsked = options.Sun.Asked();
   const bool perez = KindOfSky(options.Environment) == SkyKind::Perez;
+  if (KindOfSky(options.Environment) == SkyKind::Formula && sunAsked && sun.ApparentElevation <= 0.0)
+  {
+    PrintWarning(Doubt{ "the sun is below the horizon, and " + options.Environment +
+                     " is a sky by day whose brightness is relative",
+                   "the sky that its formula gives for this sun", "--environment none" },
+      talk);
+  }
   std::vector<LightPointer> lights;
   std::array<double, 3> irradiance{ { 1.0, 1.0, 1.0 } };
   if (!options.Environment.empty() || !(sunAsked || !options.Lamps.empty()))
@@ -260,6 +271,11 @@ std::vector<LightPointer> MakeLights(
   }
   for (const std::string& lamp : options.Lamps)
   {
+    const auto numbers = *ReadNumbers(lamp);
+    if (numbers.size() > 4 && *std::max_element(numbers.begin() + 4, numbers.end()) == 0.0)
+    {
+      PrintWarning(Doubt{ "the lamp " + lamp + " is black", "a lamp without light", "" }, talk);
+    }
     lights.push_back(MakeLamp(lamp, terrain, center.Place));
   }
   return lights;

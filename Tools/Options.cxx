@@ -23,6 +23,14 @@ constexpr int MostThreads = 4096;
 const skyline::Limits RefractionLimits{ "-100 to below 1, 0.13 in usual air", -100.0, 1.0, false,
   true };
 
+std::string CheckNodata(const std::string& text)
+{
+  const bool special = text == "nan" || text == "inf" || text == "-inf";
+  return special || skyline::ReadNumber(text)
+    ? ""
+    : skyline::WhyNoNumbers(text) + "; give the value of posts without a height, as in -9999 or nan";
+}
+
 } // namespace
 
 namespace skyline
@@ -42,7 +50,8 @@ void TerrainOptions::AddTo(CLI::App& command)
       "as the file has it, before scale and unit; may be repeated")
     ->type_name("V")
     ->type_size(1)
-    ->allow_extra_args(false);
+    ->allow_extra_args(false)
+    ->check(Checked(CheckNodata));
   this->Sources.AddTo(command);
 }
 

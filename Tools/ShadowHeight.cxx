@@ -31,12 +31,14 @@ struct ShadowHeightCommand
     this->Horizon.RefuseIdle(options);
     options.Refuse(!this->Soft, { "--sun-radius" },
       "the shadow of the sun's middle has none; add --soft, or leave it out");
+    options.Warn(this->Soft && this->Sun.Radius == 0.0, { "--soft" },
+      "both limbs of a sun with the radius 0 are its middle", this->Talk);
   }
 
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    skyline::CheckOutput(this->Output.File, { this->Terrain.File });
+    skyline::CheckRasterOutput(this->Output.File, { this->Terrain.File });
     this->Sun.WarnOfZone(this->Talk);
     if (this->Horizon.Method == "fast")
     {

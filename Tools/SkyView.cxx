@@ -38,7 +38,7 @@ struct SkyViewCommand
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    skyline::CheckOutput(this->Output.File, { this->Terrain.File });
+    skyline::CheckRasterOutput(this->Output.File, { this->Terrain.File });
 
     // Every quantity once, in the order asked for.
     std::vector<std::string> wanted;

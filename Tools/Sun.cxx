@@ -73,7 +73,7 @@ struct SunCommand
 
   void Write() const
   {
-    skyline::CheckOutput(this->Output.File, { this->Terrain.File });
+    skyline::CheckRasterOutput(this->Output.File, { this->Terrain.File });
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
     this->Horizon.WarnIdle(terrain, this->Talk);
     vtkNew<vtkHeightFieldSunShadow> shadow;

@@ -62,7 +62,7 @@ public:
     }
     if (value < low || value > high)
     {
-      this->Refuse(std::string("has a ") + what + " outside " + std::to_string(low) + " to " +
+      this->Refuse("has the " + std::string(what) + " outside " + std::to_string(low) + " to " +
         std::to_string(high));
     }
     return value;

@@ -19,6 +19,14 @@ constexpr double FarApart = 20000.0;
 /// Metres of relief that no solid body has: Vesta, the greatest known, has 41 km.
 constexpr double NoRelief = 1.0e5;
 
+/// Metres, and part of the range of a varied terrain, between its foot and a pit that no terrain has
+/// without a slope between: programs mark missing posts by all kinds of low values.
+constexpr double FarBelow = 1000.0;
+constexpr double FarBelowPart = 0.5;
+
+/// Part of all posts: a plain at the foot of cliffs has more.
+constexpr double FewPosts = 0.1;
+
 /// Part of the rest's range by which a value of FillValue must lie apart.
 constexpr double Apart = 0.1;
 constexpr double LeastApart = 10.0; ///< metres
@@ -26,6 +34,9 @@ constexpr double LeastApart = 10.0; ///< metres
 /// Metres by which a terrain must stay clear of 0, and the distinct heights that make it one: a cone
 /// on a plain is a terrain whose 0 is meant.
 constexpr double ClearOfZero = 50.0;
+
+/// A few posts of 0 stand apart from a flat terrain that lies lower than that by so many of its ranges.
+constexpr double TwiceRange = 2.0;
 
 /// A fill in the midst of heights: at least so many posts, and more than all its neighbours together.
 constexpr std::int64_t ManyPosts = 16;
@@ -167,15 +178,20 @@ HeightCensus::Findings HeightCensus::Judge(
         end.Size == Kept && first + 2 < Kept && end.Values[Kept - 1].Height != far;
       const bool fill = clear && FillValue(value.Height) && gap * metres >= LeastApart &&
         (std::abs(value.Height) > 1000.0 || gap >= range);
-      const bool zero = clear && value.Height == 0.0 && varied && gap * metres >= ClearOfZero;
+      const bool minority = 2 * value.Posts < this->Count;
+      const bool zero = clear && value.Height == 0.0 && varied &&
+        (gap * metres >= ClearOfZero ||
+          (minority && gap * metres >= LeastApart && gap >= TwiceRange * range));
+      const bool pit = atLow && varied && value.Posts < FewPosts * this->Count &&
+        gap * metres >= FarBelow && gap >= FarBelowPart * range;
       if (fill || zero || std::abs(value.Height) * metres > GreatestHeight)
       {
         why = missing;
       }
-      else if (!fillsOnly && gap * metres >= FarApart && gap >= range)
+      else if (!fillsOnly && (pit || (gap * metres >= FarApart && gap >= range)))
       {
         why = std::string("far ") + (atLow ? "below" : "above") + " all others (" +
-          Text(std::min(next, far), single) + " to " + Text(std::max(next, far), single) + ")";
+          Text(std::min(next, far), true) + " to " + Text(std::max(next, far), true) + ")";
       }
     }
     if (why.empty())

@@ -21,8 +21,10 @@ namespace skyline
 /// Judged doubtful is
 /// - a value that programs use for missing posts (FillValue) and that lies apart from the rest by a
 ///   tenth of the rest's range, or stands at far more posts than its neighbours do;
-/// - any value that lies further from all others than any ground does (FarApart);
-/// - 0, where the rest of a varied terrain lies at least 50 m and a tenth of its range away from it.
+/// - any value that lies further from all others than any ground does (FarApart), or below all others
+///   of a varied terrain by 1000 m and half its range, at few posts;
+/// - 0, where the rest of a varied terrain lies at least 50 m and a tenth of its range away from it, or,
+///   for fewer than half the posts, 10 m and twice its range.
 /// Everything else is terrain: bathymetry that passes -9999, ground below sea level, a sea of 0 with a
 /// coast.
 class HeightCensus

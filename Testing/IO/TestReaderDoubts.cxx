@@ -70,7 +70,8 @@ void Expect(const std::string& warnings, const std::string& words)
 
 TEST(ReaderDoubts, FillValuesAreNamedCountedAndCured)
 {
-  for (const double fill : { -9999.0, -99999.0, -32767.0, -32768.0, 32767.0, 0.0, -1e6, 1e20 })
+  for (const double fill :
+    { -9999.0, -99999.0, -32767.0, -32768.0, 32767.0, 0.0, -1e6, 1e20, -9998.0, -5000.0, -2000.0 })
   {
     for (const int posts : { 1, 37 })
     {
@@ -88,6 +89,13 @@ TEST(ReaderDoubts, FillValuesAreNamedCountedAndCured)
   {
     Expect(WarningsOf(Make(HillsWith(-32768.0, 5, type))), "5 posts of");
   }
+}
+
+TEST(ReaderDoubts, ZeroUnderAFlatTerrain)
+{
+  Recipe recipe = HillsWith(0.0, 16);
+  recipe.Value = [](int i, int j) { return i < 4 && j < 4 ? 0.0 : 35.0 + 2.0 * std::sin(0.7 * i + j); };
+  Expect(WarningsOf(Make(recipe)), "16 posts of '/vsimem/made.tif' have the height 0");
 }
 
 TEST(ReaderDoubts, DigitsAreThoseOfTheBand)
@@ -122,6 +130,9 @@ TEST(ReaderDoubts, TerrainIsNotDoubted)
   quiet("a mountain of Mars", [](int i, int j) { return 21229.0 - 2.0 * std::hypot(i - 50.0, j); });
   quiet(
     "heights of 1e7 m", [](int i, int j) { return 1e7 + 0.001 * (i + j); }, GDT_Float64);
+  quiet("houses above their ground",
+    [](int i, int j) { return i > 50 && j % 3 == 0 ? 20.0 + 0.1 * j : 0.0; });
+  quiet("an island's shelf", [](int i, int j) { return i < 50 ? -4000.0 + 90.0 * i + j : 100.0 + i; });
   quiet("flat", [](int, int) { return 0.0; });
 }
 

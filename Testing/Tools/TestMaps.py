@@ -121,8 +121,8 @@ class Seams(ToolTest):
         # on it.
         rows, columns, step = 600, 150, 0.004
         y = np.arange(rows)
-        heights = np.zeros((rows, columns))
-        heights[:, 140] = 2000.0 + 60.0 * np.sin(y / 45.0)
+        heights = np.full((rows, columns), 300.0)  # 0 would be doubted
+        heights[:, 140] = 2300.0 + 60.0 * np.sin(y / 45.0)
         dem = make(self.path("dem.tif"), heights, step=(step, step), corner=(10.0, 59.0),
                    wkt=wkt("EPSG:4326"))
         out = self.path("sun.tif")

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LightMapFile.h"
+#include "OpenLightMap.h"
 
+#include "CubeMap.h"
 #include "IoFailure.h"
+#include "NoImageThreads.h"
 
 #include "vtkErrorCode.h"
 #include "vtkSMPTools.h"
@@ -17,6 +19,8 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <memory>
+#include <string>
 #include <system_error>
 
 namespace skyline
@@ -87,9 +91,38 @@ struct ProgressBridge
   }
 };
 
-} // namespace
+/// A light map through OpenImageIO.
+class ImageLightMap : public LightMapFile
+{
+public:
+  explicit ImageLightMap(const std::string& file);
 
-LightMapFile::LightMapFile(const std::string& file)
+  int GetColumns() const override { return this->Columns; }
+  int GetRows() const override { return this->Rows; }
+  bool IsCube() const override { return this->Cube; }
+  LightMapDefects Read(float* pixels, const ProgressFunction& progress) override;
+
+private:
+  void Open();
+  void FindChannels();
+  void FindShape();
+  void CheckClaim(std::int64_t pixels) const;
+  std::unique_ptr<float[]> ReadPixels(const ProgressFunction& progress);
+  void PlaceInWindow(const float* values, float* pixels) const;
+  [[noreturn]] void Refuse(const std::string& reason) const;
+
+  std::string File;
+  NoImageThreads Alone;
+  std::unique_ptr<OIIO::ImageInput> Input;
+  OIIO::ImageSpec Spec; ///< of the first part, full resolution
+  int FirstChannel = 0;
+  int Channels = 3; ///< 1 (grey) or 3
+  int Columns = 0, Rows = 0;
+  bool Cube = false;
+  CubeMap Faces; ///< if a cube, without values
+};
+
+ImageLightMap::ImageLightMap(const std::string& file)
   : File(file)
 {
   this->Open();
@@ -97,12 +130,12 @@ LightMapFile::LightMapFile(const std::string& file)
   this->FindShape();
 }
 
-void LightMapFile::Refuse(const std::string& reason) const
+void ImageLightMap::Refuse(const std::string& reason) const
 {
   throw IoFailure(vtkErrorCode::FileFormatError, "cannot use '" + this->File + "': " + reason);
 }
 
-void LightMapFile::Open()
+void ImageLightMap::Open()
 {
   std::error_code status;
   if (std::filesystem::is_directory(this->File, status))
@@ -153,7 +186,7 @@ void LightMapFile::Open()
   }
 }
 
-void LightMapFile::FindChannels()
+void ImageLightMap::FindChannels()
 {
   if (this->Spec.deep || this->Spec.depth > 1)
   {
@@ -194,7 +227,7 @@ void LightMapFile::FindChannels()
   this->Refuse("it has the channels " + names + "; give R, G, B or a single one");
 }
 
-void LightMapFile::FindShape()
+void ImageLightMap::FindShape()
 {
   const OIIO::ImageSpec& spec = this->Spec;
   if (spec.width < 1 || spec.height < 1)
@@ -238,7 +271,7 @@ void LightMapFile::FindShape()
 }
 
 /// A header of a few bytes may promise gigabytes; memory is taken for what the file can hold.
-void LightMapFile::CheckClaim(std::int64_t pixels) const
+void ImageLightMap::CheckClaim(std::int64_t pixels) const
 {
   std::error_code status;
   const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(this->File, status));
@@ -262,7 +295,7 @@ void LightMapFile::CheckClaim(std::int64_t pixels) const
   }
 }
 
-std::unique_ptr<float[]> LightMapFile::ReadPixels(const ProgressFunction& progress)
+std::unique_ptr<float[]> ImageLightMap::ReadPixels(const ProgressFunction& progress)
 {
   const std::size_t count = static_cast<std::size_t>(this->Spec.width) * this->Spec.height;
   // Not filled: a damaged header may promise gigabytes that the file does not hold.
@@ -296,7 +329,7 @@ std::unique_ptr<float[]> LightMapFile::ReadPixels(const ProgressFunction& progre
 }
 
 /// Copies rows of the file from the top to rows of the map from the bottom.
-void LightMapFile::PlaceInWindow(const float* values, float* pixels) const
+void ImageLightMap::PlaceInWindow(const float* values, float* pixels) const
 {
   const OIIO::ImageSpec& spec = this->Spec;
   const int right = spec.x - spec.full_x, below = spec.y - spec.full_y;
@@ -314,7 +347,7 @@ void LightMapFile::PlaceInWindow(const float* values, float* pixels) const
   }
 }
 
-LightMapDefects LightMapFile::Read(float* pixels, const ProgressFunction& progress)
+LightMapDefects ImageLightMap::Read(float* pixels, const ProgressFunction& progress)
 {
   const std::unique_ptr<float[]> values = this->ReadPixels(progress);
   const LightMapDefects defects = SanitizeLightMap(
@@ -344,6 +377,13 @@ LightMapDefects LightMapFile::Read(float* pixels, const ProgressFunction& progre
       pixels + 3 * columns * (rows - 1 - row));
   }
   return defects;
+}
+
+} // namespace
+
+std::unique_ptr<LightMapFile> OpenLightMap(const std::string& file)
+{
+  return std::make_unique<ImageLightMap>(file);
 }
 
 } // namespace skyline
