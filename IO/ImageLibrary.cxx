@@ -5,7 +5,12 @@
 
 #include "vtkErrorCode.h"
 
+#include <cstddef>
+#include <future>
 #include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 #include <dlfcn.h>
 
@@ -16,8 +21,45 @@ namespace
 {
 
 #ifdef SKYLINE_IMAGES_FILE
+/// Threads that libraries of OpenImageIO start when they are loaded (log4cplus, on Debian). Without them
+/// they end the process.
+constexpr std::size_t LibraryThreads = 4;
+
+/// Throws IoFailure where the system does not give as many threads.
+void CheckThreads()
+{
+  std::promise<void> end;
+  const std::shared_future<void> ended = end.get_future().share();
+  std::vector<std::thread> threads;
+  bool refused = false;
+  try
+  {
+    threads.reserve(LibraryThreads);
+    while (threads.size() < LibraryThreads)
+    {
+      threads.emplace_back([ended] { ended.wait(); });
+    }
+  }
+  catch (const std::system_error&)
+  {
+    refused = true;
+  }
+  end.set_value();
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  if (refused)
+  {
+    throw IoFailure(vtkErrorCode::UnknownError,
+      "images cannot be read or written: OpenImageIO needs " + std::to_string(LibraryThreads) +
+        " threads, and the system gives fewer; raise its limit (ulimit -u), or write a .tif");
+  }
+}
+
 const ImageLibrary* Load()
 {
+  CheckThreads();
   // Beside this library, wherever that is: a package, a plugin, a build.
   Dl_info self = {};
   std::string path = SKYLINE_IMAGES_FILE;

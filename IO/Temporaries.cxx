@@ -359,7 +359,8 @@ void Temporary::BringBack()
 {
   for (std::size_t i = 0; i < SideFiles.size(); ++i)
   {
-    (void)::rename(this->Asides[i].c_str(), this->Sides[i].c_str());
+    const bool back = ::rename(this->Asides[i].c_str(), this->Sides[i].c_str()) == 0;
+    this->Needed = this->Needed || (!back && ::access(this->Asides[i].c_str(), F_OK) == 0);
   }
   this->ForgetAside();
 }
@@ -385,9 +386,11 @@ void Temporary::Remove()
 {
   if (this->File >= 0)
   {
-    for (const char* suffix : Suffixes)
+    this->RemoveIntermediates();
+    ::unlink((this->Path + MetadataSuffix).c_str());
+    if (!this->Needed || ::ftruncate(this->File, 0) != 0)
     {
-      ::unlink((this->Path + suffix).c_str());
+      ::unlink(this->Path.c_str());
     }
     ::close(this->File);
   }

@@ -48,7 +48,8 @@ public:
   /// handler of the signal or, after SIGKILL, from SweepTemporaries.
   std::string PutAside(const std::string& target);
 
-  /// The target could not be replaced: its side files get their names back.
+  /// The target could not be replaced: its side files get their names back. Where the system refuses
+  /// that, the temporary stays, empty, so that SweepTemporaries does it later.
   void BringBack();
 
   /// The target has been replaced: its old side files go.
@@ -64,6 +65,7 @@ private:
   std::array<std::string, SideFiles.size()> Sides, Asides; ///< the target's, and their names aside
   int File = -1;
   int Slot = -1; ///< in the list for RemoveTemporaries
+  bool Needed = false; ///< by side files that are still aside
 };
 
 /// Removes from `folder` the user's own temporaries that no process holds, as SIGKILL leaves them, and
