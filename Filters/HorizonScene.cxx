@@ -107,10 +107,7 @@ void CheckImage(vtkImageData* image)
 Georeference PlaceOf(vtkImageData* image)
 {
   CheckImage(image);
-  Georeference place = LoadGeoreference(image);
-  place.Columns = image->GetDimensions()[0];
-  place.Rows = image->GetDimensions()[1];
-  return place;
+  return GeoreferenceOf(image);
 }
 
 PostSpacing SpacingOf(vtkImageData* image)
@@ -171,6 +168,10 @@ HorizonScene::HorizonScene(vtkImageData* image, vtkDataArray* heights, const Opt
         [&](vtkIdType begin, vtkIdType end) { this->Field.Fill(begin, end, this->Mean, height); });
     });
   this->Field.Close();
+  if (this->Field.AllMissing())
+  {
+    throw std::invalid_argument("no surface: every post is missing, or higher than any body");
+  }
 
   if (!options.Flat && this->Where.OnBody())
   {
@@ -305,7 +306,10 @@ bool HorizonScene::RunFans(HorizonMethod& method, const std::vector<double>& azi
       this->Metric, azimuths[number], axes == AzimuthAxes::Image, this->Settings.Sink > 0.0);
     if (!fan.IsOne())
     {
-      blend = blend ? std::move(blend) : std::make_unique<FanBlend>(this->Metric);
+      if (!blend)
+      {
+        blend = std::make_unique<FanBlend>(this->Metric);
+      }
       blend->Begin(fan);
     }
     for (std::size_t i = 0; i < fan.Directions.size(); ++i)

@@ -8,9 +8,9 @@
 #include <exception>
 
 /// `object`: the address of a vtkAlgorithm as its Python object tells it; the caller holds a reference.
-extern "C" SKYLINEFILTERS_EXPORT void SkylineUpdateAlgorithm(void* object);
+extern "C" SKYLINEFILTERS_EXPORT void SkylineUpdateAlgorithm(void* object) noexcept;
 
-void SkylineUpdateAlgorithm(void* object)
+void SkylineUpdateAlgorithm(void* object) noexcept
 {
   auto* algorithm = vtkAlgorithm::SafeDownCast(static_cast<vtkObjectBase*>(object));
   if (!algorithm)
@@ -24,5 +24,9 @@ void SkylineUpdateAlgorithm(void* object)
   catch (const std::exception& reason) // none may pass through Python
   {
     vtkErrorWithObjectMacro(algorithm, << reason.what());
+  }
+  catch (...)
+  {
+    vtkErrorWithObjectMacro(algorithm, << "an exception of an unknown kind");
   }
 }

@@ -34,6 +34,27 @@
 vtkStandardNewMacro(vtkHeightFieldIrradiance);
 
 // The lights that shine, by how they are computed.
+namespace
+{
+
+/// The light map with its sun, or else its north, turned to the ground's axes (HorizonScene::Place).
+skyline::TurnedLightMap OnGround(
+  vtkSkylineEnvironmentLight* environment, const skyline::HorizonScene& scene)
+{
+  skyline::TurnedLightMap map = environment->GetLightMap();
+  const int source = environment->GetSource();
+  const bool formula =
+    source == vtkSkylineEnvironmentLight::CIE || source == vtkSkylineEnvironmentLight::PEREZ;
+  const double sun =
+    formula ? std::fmod(environment->GetSunAzimuth(), 360.0) * skyline::RadiansPerDegree : 0.0;
+  skyline::SkyDisc disc;
+  disc.Azimuth = sun + map.Rotation;
+  map.Rotation = skyline::InMiddle(disc, scene).Azimuth - sun;
+  return map;
+}
+
+} // namespace
+
 struct vtkHeightFieldIrradiance::SortedLights
 {
   std::vector<skyline::TurnedLightMap> Maps;
@@ -48,7 +69,7 @@ struct vtkHeightFieldIrradiance::SortedLights
       this->Lamps.size();
   }
 
-  void Add(vtkSkylineLight* light)
+  void Add(vtkSkylineLight* light, const skyline::HorizonScene& scene)
   {
     if (!light->GetSwitch())
     {
@@ -56,7 +77,7 @@ struct vtkHeightFieldIrradiance::SortedLights
     }
     if (auto* environment = vtkSkylineEnvironmentLight::SafeDownCast(light))
     {
-      this->Maps.push_back(environment->GetLightMap());
+      this->Maps.push_back(OnGround(environment, scene));
     }
     else if (auto* sun = vtkSkylineSunLight::SafeDownCast(light))
     {
@@ -178,7 +199,8 @@ std::vector<double> vtkHeightFieldIrradiance::SurfaceKey(
 }
 
 // What a post takes beside its height: the result, the gradients, and the pass that takes most.
-std::ptrdiff_t vtkHeightFieldIrradiance::FloatsOfPasses(const SortedLights& lights) const
+std::ptrdiff_t vtkHeightFieldIrradiance::FloatsOfPasses(
+  const SortedLights& lights, bool uniform) const
 {
   std::ptrdiff_t pass = 0; // of lamps
   if (this->LightMethod == HARMONICS)
@@ -191,7 +213,7 @@ std::ptrdiff_t vtkHeightFieldIrradiance::FloatsOfPasses(const SortedLights& ligh
   }
   else if (!lights.Discs.empty())
   {
-    pass = 2;
+    pass = uniform ? 2 : 3;
   }
   else if (this->Quadrature == LINEAR)
   {
@@ -212,14 +234,14 @@ bool vtkHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageDat
   SortedLights lights;
   for (vtkSkylineLight* light : this->Internals->Lights)
   {
-    lights.Add(light);
+    lights.Add(light, scene);
   }
   if (lights.Count() == 0)
   {
     throw std::invalid_argument("no light shines; add one by AddLight");
   }
 
-  scene.DemandFloats("lit posts", this->FloatsOfPasses(lights), {});
+  scene.DemandFloats("lit posts", this->FloatsOfPasses(lights, scene.Ground().Uniform()), {});
   const auto count = static_cast<std::size_t>(output->GetNumberOfPoints());
   vtkFloatArray* irradiance = scene.AddArray(output, "Irradiance", 3);
   std::fill_n(irradiance->GetPointer(0), 3 * count, 0.0f);

@@ -151,7 +151,7 @@ private:
 
   struct SortedLights;
   std::vector<double> SurfaceKey(skyline::HorizonScene& scene, vtkImageData* image);
-  std::ptrdiff_t FloatsOfPasses(const SortedLights& lights) const;
+  std::ptrdiff_t FloatsOfPasses(const SortedLights& lights, bool uniform) const;
   bool AddHarmonics(skyline::HorizonScene& scene, const SortedLights& lights,
     const std::vector<double>& surface, const skyline::LitPosts& posts);
   bool AddTables(

@@ -140,6 +140,7 @@ bool vtkHeightFieldSkyView::Compute(skyline::HorizonScene& scene, vtkImageData* 
   {
     const std::vector<double>& across = scene.Place().RowSpacingX;
     const std::vector<double>& along = scene.Place().RowSpacingY;
+    scene.DoubtOneMetric("edge trust", scene.CentreMetric());
     const bool byRow = static_cast<std::ptrdiff_t>(across.size()) == scene.Posts().Rows &&
       across.size() == along.size();
     edges = std::make_unique<skyline::EdgeTrustAccumulator>(scene.PreparedField(),

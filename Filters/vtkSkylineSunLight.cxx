@@ -66,7 +66,7 @@ bool vtkSkylineSunLight::FindDirection(vtkImageData* heightField, double directi
   try
   {
     const skyline::SunField sun(
-      skyline::LoadGeoreference(heightField), skyline::ParseUtcTime(this->Time), height);
+      skyline::GeoreferenceOf(heightField), skyline::ParseUtcTime(this->Time), height);
     const skyline::GridSun middle = sun.At(0.5 * (posts[0] - 1), 0.5 * (posts[1] - 1));
     direction[0] = middle.Azimuth;
     direction[1] = middle.Elevation;
@@ -93,7 +93,7 @@ bool vtkSkylineSunLight::FindEclipse(vtkImageData* heightField, double eclipse[2
   const int* posts = heightField->GetDimensions();
   try
   {
-    const skyline::EclipseField field(skyline::LoadGeoreference(heightField),
+    const skyline::EclipseField field(skyline::GeoreferenceOf(heightField),
       skyline::ParseUtcTime(this->Time), MiddleHeight(heightField));
     if (field.Any())
     {

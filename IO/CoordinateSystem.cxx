@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <locale>
 #include <memory>
+#include <sstream>
 
 namespace skyline
 {
@@ -26,6 +28,14 @@ constexpr double EarthRadiusTolerance = 0.01;
 
 /// Part of a pixel by which a raster's rounded numbers may carry a post over a pole.
 constexpr double PoleSlack = 1e-3;
+
+std::string PercentText(double part)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << 100.0 * part << " %";
+  return text.str();
+}
 
 [[noreturn]] void Refuse(const std::string& file, const std::string& reason)
 {
@@ -203,8 +213,8 @@ void CoordinateSystem::FillLattice(Georeference& georeference) const
       Refuse(this->File,
         "its map '" + NameOf(this->Horizontal) +
           "' is torn or folded inside the raster: lengths change "
-          "by more than 0.1 % between two of " +
-          std::to_string(nodes) +
+          "by more than " +
+          PercentText(LatticeTolerance) + " between two of " + std::to_string(nodes) +
           " places along a side; cut the raster to one side of the tear (gdalwarp -te) or warp it to "
           "a local map such as UTM (gdalwarp -t_srs)");
     }

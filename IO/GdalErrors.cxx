@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <mutex>
 
 namespace skyline
@@ -43,25 +44,37 @@ void GdalErrors::Keep(CPLErr kind, CPLErrorNum, const char* message)
   {
     return;
   }
+  self->Failed = self->Failed || kind > CE_Warning;
+  try
+  {
+    self->KeepText(kind, message ? message : "");
+  }
+  catch (const std::exception&)
+  {
+    // No memory for the words; GDAL is C and must not be passed through.
+  }
+}
+
+void GdalErrors::KeepText(CPLErr kind, const char* message)
+{
   if (kind == CE_Warning)
   {
-    const std::string line = FirstLine(message ? message : "");
-    auto& known = self->Warnings;
-    if (!line.empty() && std::find(known.begin(), known.end(), line) == known.end())
+    const std::string line = FirstLine(message);
+    if (!line.empty() && this->Warnings.size() < MostWarnings &&
+      std::find(this->Warnings.begin(), this->Warnings.end(), line) == this->Warnings.end())
     {
-      known.push_back(line);
+      this->Warnings.push_back(line);
     }
     return;
   }
-  self->Failed = true;
   if (kind == CE_Fatal)
   {
     // GDAL calls abort next, as it does where memory for a table of its own is missing.
-    std::fprintf(stderr, "skyline: GDAL ends the program: %s\n", message ? message : "no reason");
+    std::fprintf(stderr, "skyline: GDAL ends the program: %s\n", *message ? message : "no reason");
   }
-  if (self->Message.empty() && message)
+  if (this->Message.empty())
   {
-    self->Message = FirstLine(message);
+    this->Message = FirstLine(message);
   }
 }
 

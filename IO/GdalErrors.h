@@ -6,6 +6,7 @@
 #include <cpl_conv.h>
 #include <cpl_error.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,9 @@ public:
 
 private:
   static void CPL_STDCALL Keep(CPLErr kind, CPLErrorNum number, const char* message);
+  void KeepText(CPLErr kind, const char* message);
+
+  static constexpr std::size_t MostWarnings = 20; ///< a damaged file may give one a block
 
   // GDAL would take every processor, and wait for ever where the system gives it no thread.
   CPLConfigOptionSetter Alone{ "GDAL_NUM_THREADS", "1", false };

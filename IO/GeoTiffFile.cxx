@@ -281,6 +281,7 @@ private:
     }
     if (!this->Content.CloudOptimized)
     {
+      options.SetNameValue("ENDIANNESS", "LITTLE"); // whatever GDAL_TIFF_ENDIANNESS says: TiffBlockTable
       options.SetNameValue("COMPRESS", "DEFLATE");
       options.SetNameValue("PREDICTOR", this->Real ? "3" : "2");
     }
@@ -406,7 +407,7 @@ private:
     TiffBlockTable table(this->File.GetPath());
     if (!table.Has(ofBand * static_cast<std::size_t>(bands)))
     {
-      return false;
+      this->File.Fail("the table of its blocks cannot be read back");
     }
 
     const double rowBytes =
@@ -515,14 +516,7 @@ GeoTiffContent ContentOf(vtkImageData* image)
   content.Columns = image->GetDimensions()[0];
   content.Rows = image->GetDimensions()[1];
   content.HasNodata = LoadNodataValue(image, content.Nodata);
-  content.Place = LoadGeoreference(image);
-  if (content.Place.Columns != content.Columns || content.Place.Rows != content.Rows)
-  {
-    throw std::invalid_argument("the georeference is for " + std::to_string(content.Place.Columns) +
-      " x " + std::to_string(content.Place.Rows) + " posts, the input has " +
-      std::to_string(content.Columns) + " x " + std::to_string(content.Rows) +
-      "; crop by the reader's extent");
-  }
+  content.Place = GeoreferenceOf(image);
   // An image without a place on a map still has its posts' distances.
   const double* spacing = image->GetSpacing();
   if (!content.Place.HasGeoTransform && (spacing[0] != 1.0 || spacing[1] != 1.0))

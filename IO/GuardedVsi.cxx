@@ -73,12 +73,12 @@ public:
   }
   int Rename(const char* from, const char* to) override
   {
-    const Visit visit(*this, from), other(*this, to);
+    const Visit visit(*this, from), other(*this, to, true);
     return visit.Allowed && other.Allowed ? this->Inner->Rename(from, to) : -1;
   }
   int Mkdir(const char* name, long mode) override
   {
-    const Visit visit(*this, name);
+    const Visit visit(*this, name, true);
     return visit.Allowed ? this->Inner->Mkdir(name, mode) : -1;
   }
   int Rmdir(const char* name) override

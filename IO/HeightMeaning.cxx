@@ -131,7 +131,7 @@ void DoubtPicture(
       part = "the blue part of a picture";
       break;
     case GCI_PaletteIndex:
-      part = "a picture whose values are numbers of colours";
+      part = "a picture with a colour table";
       break;
     case GCI_AlphaBand:
       part = "the opacity of a picture";

@@ -6,9 +6,9 @@
 #include "vtkErrorCode.h"
 
 #include <cstddef>
+#include <exception>
 #include <future>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -40,7 +40,7 @@ void CheckThreads()
       threads.emplace_back([ended] { ended.wait(); });
     }
   }
-  catch (const std::system_error&)
+  catch (const std::exception&) // no more threads, or no memory for one
   {
     refused = true;
   }

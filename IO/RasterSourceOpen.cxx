@@ -42,7 +42,7 @@ void RasterSource::CheckComplaints()
       refuse(warning); // without PROJ's database a CRS loses units and axes
     }
     this->Doubts.push_back(
-      { "GDAL warns about '" + this->File + "': " + warning, "the rest of the file is right", "" });
+      { "GDAL warns about '" + this->File + "': " + warning, "the file was read correctly", "" });
   }
   this->Errors.Clear();
 }

@@ -38,6 +38,9 @@ constexpr const char* Marks = ":\"'?&=,|{}";
 /// Longer texts name no file.
 constexpr std::size_t LongestName = 4096;
 
+/// Marks and slashes in a name of a file, at most.
+constexpr std::size_t MostMarks = 64;
+
 /// What may lie beside a raster: behind its whole name, and in place of its extension.
 constexpr std::array<const char*, 4> Behind{ { ".aux.xml", ".ovr", ".msk", ".hdr" } };
 constexpr std::array<const char*, 10> Instead{ { ".hdr", ".prj", ".aux", ".rrd", ".ige", ".rde",
@@ -110,6 +113,11 @@ private:
         const std::size_t slash = name.find('/', i + 1);
         begins.push_back(slash == std::string::npos ? name.size() : slash + 1);
       }
+    }
+    if (begins.size() > MostMarks || ends.size() > MostMarks)
+    {
+      begins.resize(1); // a text, not the name of a file: an XML, say
+      ends.resize(1);
     }
     for (const std::size_t begin : begins)
     {

@@ -27,7 +27,8 @@ SKYLINEIO_EXPORT std::vector<std::string> LoadSourceFiles(vtkDataObject* data);
 /// read from. An input is a file or any name that GDAL opens; its files are those that are part of the
 /// name (a file in an archive, a band of a netCDF file), what lies beside them under their name, and
 /// the sources of virtual rasters, theirs too. Files are compared by what they are (device and inode),
-/// so that links and other spellings make no difference. Nothing but virtual rasters is opened.
+/// so that links and other spellings make no difference. Virtual rasters are read whole, of other
+/// files only the first 1024 bytes.
 SKYLINEIO_EXPORT void RefuseOverlap(
   const std::string& output, const std::vector<std::string>& inputs);
 

@@ -203,6 +203,11 @@ bool SourceGuard::MayOpen(const std::string& name)
   {
     return false;
   }
+  std::error_code failed;
+  if (fs::exists(name, failed))
+  {
+    return this->MayTouch(name.c_str()); // one path, whatever marks are in it
+  }
   for (std::size_t begin = 0; begin < name.size();)
   {
     const std::size_t end = std::min(name.find_first_of(Edges, begin), name.size());
@@ -324,6 +329,11 @@ bool SourceGuard::MayTouch(const char* path, bool create)
 
 bool SourceGuard::SpellsOut(const std::string& path) const
 {
+  std::error_code missing;
+  if (fs::exists(this->File, missing))
+  {
+    return path == this->File; // one path, whatever marks are in it
+  }
   for (std::size_t at = this->File.find(path); at != std::string::npos;
        at = this->File.find(path, at + 1))
   {

@@ -21,7 +21,8 @@ struct SourcePolicy
 /// GDAL's drivers of local rasters in which heights come, by their short names.
 const std::vector<std::string>& DefaultDrivers();
 
-/// The drivers that `policy` lets open a file. Throws IoFailure for a name that GDAL does not know.
+/// The drivers that `policy` lets open a file. Throws IoFailure for a name that GDAL does not know, and
+/// for a driver that reads from servers without AllowNetwork.
 std::vector<std::string> AllowedDrivers(const SourcePolicy& policy);
 
 } // namespace skyline

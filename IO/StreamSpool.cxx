@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <mutex>
 #include <vector>
 
@@ -123,12 +124,15 @@ bool IsWholeFile(int stream)
     ::lseek(stream, 0, SEEK_CUR) == 0;
 }
 
-/// Waits for bytes or the end.
-void Wait(const std::string& file, int stream, bool started, const std::function<bool()>& goOn)
+bool IsPipe(int stream)
 {
   struct stat status = {};
-  const bool pipe =
-    ::fstat(stream, &status) == 0 && S_ISFIFO(status.st_mode) && !started && stream != STDIN_FILENO;
+  return ::fstat(stream, &status) == 0 && S_ISFIFO(status.st_mode);
+}
+
+/// Waits for bytes or the end, or for `patience` seconds: then false.
+bool Wait(const std::string& file, int stream, double patience, const std::function<bool()>& goOn)
+{
   const auto begin = std::chrono::steady_clock::now();
   for (;;)
   {
@@ -136,19 +140,16 @@ void Wait(const std::string& file, int stream, bool started, const std::function
     const int ready = ::poll(&poll, 1, PollMilliseconds);
     if (ready > 0)
     {
-      return;
+      return true;
     }
     if (!goOn())
     {
       throw IoAborted();
     }
     const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - begin;
-    if (pipe && waited.count() > StreamSpool::WriterPatience)
+    if (waited.count() > patience)
     {
-      Fail(file,
-        "it is a pipe into which nothing was written for " +
-          std::to_string(static_cast<int>(StreamSpool::WriterPatience)) +
-          " s; start the program that writes it first");
+      return false;
     }
     if (waited.count() > StreamSpool::SilencePatience)
     {
@@ -163,14 +164,25 @@ void Copy(const std::string& file, int stream, int target, const std::function<b
 {
   std::vector<char> chunk(ChunkBytes);
   bool started = false;
+  // A named pipe may have no writer, which only reading from it tells.
+  bool hasWriter = stream == STDIN_FILENO || !IsPipe(stream);
   for (;;)
   {
-    Wait(file, stream, started, goOn);
+    const bool ready = Wait(file, stream,
+      hasWriter ? std::numeric_limits<double>::infinity() : StreamSpool::WriterPatience, goOn);
     const ssize_t count = ::read(stream, chunk.data(), chunk.size());
     if (count == 0)
     {
+      if (!ready)
+      {
+        Fail(file,
+          "it is a pipe that no program wrote for " +
+            std::to_string(static_cast<int>(StreamSpool::WriterPatience)) +
+            " s; start the program that writes it first");
+      }
       break;
     }
+    hasWriter = true;
     if (count < 0)
     {
       if (errno == EINTR || errno == EAGAIN)
@@ -215,10 +227,14 @@ bool StreamSpool::IsStream(const std::string& file)
 std::shared_ptr<StreamSpool> StreamSpool::Read(
   const std::string& file, const std::function<bool()>& goOn)
 {
-  static std::mutex mutex;
+  static std::mutex mutex; // of standard input, which is read once
   static std::shared_ptr<StreamSpool> input;
-  const std::lock_guard<std::mutex> lock(mutex);
-  if (IsStandardInput(file) && input)
+  std::unique_lock<std::mutex> lock(mutex, std::defer_lock);
+  if (IsStandardInput(file))
+  {
+    lock.lock();
+  }
+  if (lock.owns_lock() && input)
   {
     return input;
   }

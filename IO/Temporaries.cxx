@@ -55,6 +55,7 @@ struct Entry
     Used
   };
   std::atomic<int> State{ Free };
+  pid_t Owner = 0; ///< a forked process has the entries of its parent too
   char Path[PATH_MAX] = {};
   std::atomic<bool> Aside{ false };
   char Target[PATH_MAX] = {}; ///< whose side files are aside
@@ -76,6 +77,7 @@ int Enter(const std::string& path)
     {
       std::memcpy(Entries[i].Path, path.c_str(), path.size() + 1);
       Entries[i].Aside = false;
+      Entries[i].Owner = ::getpid();
       Entries[i].State = Entry::Used;
       return static_cast<int>(i);
     }
@@ -84,8 +86,9 @@ int Enter(const std::string& path)
 }
 
 /// Signals that end a process which has not asked for them.
-constexpr std::array<int, 13> Endings{ { SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGALRM,
-  SIGXCPU, SIGXFSZ, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL } };
+constexpr std::array<int, 20> Endings{ { SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGALRM,
+  SIGXCPU, SIGXFSZ, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF,
+  SIGIO, SIGSYS, SIGTRAP } };
 
 extern "C" void TidyUpAndEnd(int number)
 {
@@ -161,8 +164,10 @@ struct Opened
   int File;
 };
 
-/// Removes a temporary whose process is gone; false where there is none such.
-bool RemoveDead(int folder, const char* name)
+/// Removes a temporary whose process is gone, and calls `before` first, while nobody else may; false
+/// where there is none such.
+template <typename Before>
+bool RemoveDead(int folder, const char* name, const Before& before)
 {
   struct stat status;
   if (::fstatat(folder, name, &status, AT_SYMLINK_NOFOLLOW) != 0 || !S_ISREG(status.st_mode) ||
@@ -172,8 +177,12 @@ bool RemoveDead(int folder, const char* name)
   }
   const Opened file(::openat(folder, name, O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   // Locked by us, its maker cannot think that it holds it: see Temporary.
-  return file.File >= 0 && ::flock(file.File, LOCK_EX | LOCK_NB) == 0 &&
-    ::unlinkat(folder, name, 0) == 0;
+  if (file.File < 0 || ::flock(file.File, LOCK_EX | LOCK_NB) != 0)
+  {
+    return false;
+  }
+  before();
+  return ::unlinkat(folder, name, 0) == 0;
 }
 
 /// The name of the temporary that a file lies beside; the name itself if it is one.
@@ -232,18 +241,21 @@ void SweepName(int folder, const std::string& name, const std::vector<std::strin
   struct stat status;
   const bool alone = owner != name && IsGone(folder, owner) &&
     ::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
-    std::difftime(std::time(nullptr), status.st_mtime) > AloneSeconds;
-  if (!alone && !RemoveDead(folder, owner.c_str()))
+    std::difftime(std::time(nullptr), status.st_ctime) > AloneSeconds;
+  const auto nameAgain = [&]
+  {
+    for (const std::string& aside : asides)
+    {
+      const std::size_t middle = aside.find(AsideMiddle);
+      if (aside.compare(0, middle, owner) == 0 && IsOurs(folder, aside))
+      {
+        NameAgain(folder, aside, aside.substr(middle + std::strlen(AsideMiddle)));
+      }
+    }
+  };
+  if (!alone && !RemoveDead(folder, owner.c_str(), nameAgain))
   {
     return;
-  }
-  for (const std::string& aside : asides)
-  {
-    const std::size_t middle = aside.find(AsideMiddle);
-    if (aside.compare(0, middle, owner) == 0 && IsOurs(folder, aside))
-    {
-      NameAgain(folder, aside, aside.substr(middle + std::strlen(AsideMiddle)));
-    }
   }
   for (const char* suffix : Suffixes)
   {
@@ -276,9 +288,18 @@ void NameAside(char* aside, const char* path, const char* target, const char* su
 
 } // namespace
 
-Temporary::Temporary(const std::string& folder, const std::string& extension, mode_t mode)
+Temporary::HandlerUse::HandlerUse()
 {
   Handlers::Get().Add();
+}
+
+Temporary::HandlerUse::~HandlerUse()
+{
+  Handlers::Get().Drop();
+}
+
+Temporary::Temporary(const std::string& folder, const std::string& extension, mode_t mode)
+{
   std::random_device random;
   int error = EEXIST;
   for (int attempt = 0; attempt < 100 && error == EEXIST; ++attempt)
@@ -311,7 +332,6 @@ Temporary::Temporary(const std::string& folder, const std::string& extension, mo
 Temporary::~Temporary()
 {
   this->Remove();
-  Handlers::Get().Drop();
 }
 
 void Temporary::RemoveIntermediates()
@@ -440,7 +460,7 @@ void RemoveTemporaries() noexcept
 {
   for (Entry& entry : Entries)
   {
-    if (entry.State != Entry::Used)
+    if (entry.State != Entry::Used || entry.Owner != ::getpid())
     {
       continue;
     }

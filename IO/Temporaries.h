@@ -59,8 +59,18 @@ public:
   void Remove();
 
 private:
+  /// Signals are handled as long as one lives.
+  struct HandlerUse
+  {
+    HandlerUse();
+    ~HandlerUse();
+    HandlerUse(const HandlerUse&) = delete;
+    HandlerUse& operator=(const HandlerUse&) = delete;
+  };
+
   void ForgetAside();
 
+  HandlerUse Handled; ///< the first to come, the last to go
   std::string Path;
   std::array<std::string, SideFiles.size()> Sides, Asides; ///< the target's, and their names aside
   int File = -1;

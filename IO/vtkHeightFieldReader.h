@@ -51,7 +51,6 @@
 
 namespace skyline
 {
-class StreamSpool;
 struct SourcePolicy;
 } // namespace skyline
 

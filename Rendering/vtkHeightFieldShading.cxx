@@ -319,13 +319,12 @@ int vtkHeightFieldShading::RequestData(
   }
 
   Terrain terrain{ heights, columns, rows, { in->GetSpacing()[0], in->GetSpacing()[1] },
-    skyline::LoadGeoreference(in), nullptr };
-  terrain.Place.Columns = columns;
-  terrain.Place.Rows = rows;
+    {}, nullptr };
   skyline::SunField sun = skyline::SunField::Constant(0.0, 90.0, 0.0);
   try
   {
     skyline::CheckWhole(input[0]->GetInformationObject(0));
+    terrain.Place = skyline::GeoreferenceOf(in);
     terrain.Metric = std::make_unique<skyline::GroundMetric>(terrain.Place, terrain.Spacing);
     terrain.Place.GroundAxes = !terrain.Metric->Uniform();
     sun = this->UseTime

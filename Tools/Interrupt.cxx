@@ -26,13 +26,13 @@ void EndBy(int number)
   ::_exit(128 + number); // as a shell reports it
 }
 
-extern "C" void GiveUp(int)
+extern "C" void GiveUp(int number)
 {
   skyline::RemoveTemporaries();
   constexpr char text[] = "skyline: interrupted\n";
   const ssize_t ignored = ::write(STDERR_FILENO, text, sizeof(text) - 1);
   (void)ignored;
-  EndBy(Caught);
+  EndBy(Caught != 0 ? Caught : number);
 }
 
 extern "C" void Remember(int number)

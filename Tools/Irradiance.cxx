@@ -63,7 +63,7 @@ struct IrradianceCommand
       "all of a uniform sky lies in the first band", this->Talk);
     const bool lampsAlone = kind == SkyKind::None && !sun;
     options.Refuse(lampsAlone && harmonics, { "--method" },
-      "lamps are no matter of sh; leave it out, or give a sky or a sun");
+      "the method sh does not compute lamps; leave it out, or give a sky or a sun");
     options.Warn(
       lampsAlone, { "--horizon", "--tolerance" }, "lamps alone need no horizons", this->Talk);
     const bool drawn = sun && this->Lights.Sun.Radius.value_or(0.0) > skyline::LargestSun;

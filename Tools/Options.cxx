@@ -7,9 +7,6 @@
 
 #include "vtkImageData.h"
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <limits>
 #include <vector>
 
@@ -38,7 +35,7 @@ namespace skyline
 
 void TerrainOptions::AddTo(CLI::App& command)
 {
-  command.add_option("DEM", this->File, "Raster of heights: any file that GDAL opens")
+  command.add_option("DEM", this->File, "Raster of heights in a common local format")
     ->required()
     ->type_name("");
   AddWhole(

@@ -33,7 +33,14 @@ struct SkyViewCommand
   std::optional<double> EdgeDistance; // metres
   skyline::Talk Talk;
 
-  void Check(const skyline::IdleOptions& options) const { this->Horizon.RefuseIdle(options); }
+  void Check(const skyline::IdleOptions& options) const
+  {
+    this->Horizon.RefuseIdle(options);
+    const bool trust =
+      std::find(this->Quantities.begin(), this->Quantities.end(), "EdgeTrust") != this->Quantities.end();
+    options.Refuse(!trust, { "--edge-distance" },
+      "only the quantity EdgeTrust has it; leave it out, or add --quantity EdgeTrust");
+  }
 
   void Run() const
   {
@@ -51,11 +58,6 @@ struct SkyViewCommand
     }
     const auto asked = [&](const char* name)
     { return std::find(wanted.begin(), wanted.end(), name) != wanted.end(); };
-
-    if (this->EdgeDistance && !asked("EdgeTrust"))
-    {
-      throw CLI::ValidationError("--edge-distance is for --quantity EdgeTrust; ask for it too");
-    }
 
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
     this->Horizon.WarnIdle(terrain, this->Talk);
@@ -110,19 +112,10 @@ void AddSkyView(CLI::App& program)
     ->check(OneOf(AllQuantities))
     ->type_size(1)
     ->allow_extra_args(false);
-  app
-    ->add_option("--edge-distance", command->EdgeDistance,
+  AddNumber(*app, "--edge-distance", command->EdgeDistance, { "0 to 1e9 metres", 0.0, 1e9 },
       "How far the data must reach for EdgeTrust, metres, 0 (any terrain at all) or more.\n"
       "Default: 1000, or a tenth of the DEM's shorter side if that is less")
-    ->type_name("METRES")
-    ->check(CLI::Validator(
-      [](const std::string& text)
-      {
-        double metres = 0.0;
-        const bool fine = CLI::detail::lexical_cast(text, metres) && metres >= 0.0 && metres <= 1e9;
-        return fine ? std::string() : "needs 0 to 1e9 metres, not " + text; // NaN is none of them
-      },
-      ""));
+    ->type_name("METRES");
   command->Horizon.AddTo(*app);
   AddTalk(*app, command->Talk);
   app->callback(

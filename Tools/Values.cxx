@@ -99,7 +99,7 @@ std::string WhyNoNumber(const std::string& text)
   std::replace(pointed.begin(), pointed.end(), ',', '.');
   if (error == std::errc::result_out_of_range)
   {
-    return text + " is beyond the numbers of a computer";
+    return text + " is too large or too small for a number";
   }
   if (pointed != text && ReadNumber(pointed))
   {

@@ -21,7 +21,8 @@ std::optional<double> ReadNumber(const std::string& text);
 /// The finite numbers between separators; none if any part is no number.
 std::optional<std::vector<double>> ReadNumbers(const std::string& text, char separator = ',');
 
-/// What is wrong with a text that ReadNumber refuses: "12m is no number: leave the unit out".
+/// What is wrong with a text that ReadNumber refuses: "12m is no number: leave m out, units are told in
+/// the help".
 std::string WhyNoNumber(const std::string& text);
 
 /// The same for a list of numbers: what is wrong with the first part that is no number; empty: nothing.

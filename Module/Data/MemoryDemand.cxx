@@ -78,7 +78,7 @@ Machine FreeOfMachine(const std::string& root)
   return machine;
 }
 
-/// What one control group leaves. Its files of other names' pages (inactive_file) go when memory is
+/// What one control group leaves. Its cached pages of files (inactive_file) are dropped when memory is
 /// wanted, so they count as free.
 double FreeOfGroup(const std::string& folder, bool second, double swap)
 {
@@ -126,7 +126,8 @@ double FreeOfGroups(const std::string& root, double swap)
     while (!path.empty())
     {
       least = std::min(least, FreeOfGroup(top + (path == "/" ? "" : path), unified, swap));
-      path = path == "/" ? "" : path.substr(0, std::max<std::size_t>(path.rfind('/'), 1));
+      const std::size_t slash = path.rfind('/');
+      path = path == "/" || slash == std::string::npos ? "" : path.substr(0, std::max<std::size_t>(slash, 1));
     }
   }
   return least;

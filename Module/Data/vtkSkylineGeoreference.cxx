@@ -9,6 +9,9 @@
 #include "vtkNew.h"
 #include "vtkStringArray.h"
 
+#include <stdexcept>
+#include <string>
+
 namespace skyline
 {
 
@@ -120,6 +123,25 @@ void StoreGeoreference(const Georeference& georeference, vtkDataObject* data)
   const double posts[2] = { static_cast<double>(georeference.Columns),
     static_cast<double>(georeference.Rows) };
   AddNumbers(fields, PostCountArrayName, 2, posts, 1);
+}
+
+Georeference GeoreferenceOf(vtkImageData* image)
+{
+  Georeference place = LoadGeoreference(image);
+  const int* const posts = image->GetDimensions();
+  if (place.Columns != posts[0] || place.Rows != posts[1])
+  {
+    if (place.HasGeoTransform || place.OnBody() || !place.RowSpacingX.empty())
+    {
+      throw std::invalid_argument("the georeference is for " + std::to_string(place.Columns) + " x " +
+        std::to_string(place.Rows) + " posts, the height field has " + std::to_string(posts[0]) +
+        " x " + std::to_string(posts[1]) +
+        "; cut the raster before (gdal_translate -srcwin), or by the reader's extent");
+    }
+    place.Columns = posts[0];
+    place.Rows = posts[1];
+  }
+  return place;
 }
 
 Georeference LoadGeoreference(vtkDataObject* data)

@@ -6,6 +6,7 @@
 #include "Georeference.h"
 
 class vtkDataObject;
+class vtkImageData;
 
 namespace skyline
 {
@@ -18,7 +19,7 @@ constexpr const char* LatticeArrayName = "LonLatLattice"; ///< pairs of degrees,
 constexpr const char* LatticeSizeArrayName = "LonLatLatticeSize"; ///< 2 ints: columns, rows
 constexpr const char* RowSpacingArrayName = "RowSpacing";         ///< pairs of metres, row by row
 constexpr const char* DegreesArrayName =
-  "StepsInDegrees";                                     ///< 1 double, 1: of longitude and latitude
+  "StepsInDegrees"; ///< 1 double, 1: the raster's steps are degrees
 constexpr const char* PostCountArrayName = "PostCount"; ///< 2 doubles: columns, rows
 constexpr const char* NodataArrayName = "NodataValue";  ///< 1 double: the file's nodata value
 
@@ -28,6 +29,11 @@ void StoreGeoreference(const Georeference& georeference, vtkDataObject* data);
 /// The georeference in the field data of `data`. What is absent or malformed has its default
 /// value; without PostCount an image's own dimensions count. `data` may be null.
 Georeference LoadGeoreference(vtkDataObject* data);
+
+/// The same for a height field whose posts it must count: std::invalid_argument where a crop or a
+/// resampling has left the image with the place of other posts. Without a place, the image's own
+/// dimensions count.
+Georeference GeoreferenceOf(vtkImageData* image);
 
 /// Puts the nodata value that a raster declared into the field data of `data`.
 void StoreNodataValue(double value, vtkDataObject* data);

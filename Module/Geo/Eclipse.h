@@ -29,8 +29,8 @@ struct SunAndMoon
   std::array<double, 3> Offset{ { 0.0, 0.0, 0.0 } };
   double Cover = 1.0; ///< the Moon's radius, in radii of the sun
 
-  double Distance() const; ///< of the centres, in radii of the sun
-  double Magnitude() const;
+  double Distance() const;  ///< of the centres, in radii of the sun
+  double Magnitude() const; ///< the covered part of the sun's diameter: see CoveredMagnitude
   double Obscuration(double limbDarkening = 0.0) const; ///< see CoveredShare
 };
 
@@ -82,9 +82,10 @@ public:
   /// the Moon were compared once.
   bool Any() const { return !this->Nodes.empty(); }
 
+  /// Only if Any().
   SunAndMoon At(double column, double row) const;
 
-  /// The share of the sun's light that the Moon leaves, 0 to 1, at the `count` posts
+  /// Only if Any(). The share of the sun's light that the Moon leaves, 0 to 1, at the `count` posts
   /// (columnBegin + i, row).
   void Uncovered(std::ptrdiff_t row, std::ptrdiff_t columnBegin, std::ptrdiff_t count,
     double limbDarkening, float* share) const;

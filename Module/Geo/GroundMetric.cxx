@@ -202,8 +202,8 @@ bool GroundMetric::Sample(const Georeference& place, std::ptrdiff_t side)
   if (side >= LastNodes && worst > 4.0 * DistanceTolerance)
   {
     RefusePost(worstColumn, worstRow,
-      "lies where the map's lengths change by " + std::to_string(100.0 * worst) +
-        " % over a few posts, more than the 0.1 % that distances may err");
+      "lies where the map's lengths or directions change by a part of " + std::to_string(worst) +
+        " over a few posts, and distances may err by 0.001");
   }
   *this = finer;
   return good || side >= LastNodes;

@@ -68,9 +68,6 @@ public:
   /// with this metric: Georeference::GridAzimuthAt tells how the image's azimuths count.
   double GroundAzimuth(const PostMetric& metric, double imageAzimuth) const;
 
-  /// Image azimuths run in the same direction of columns and rows at every post.
-  bool ImageRaysAreParallel() const { return this->Uniform() || !this->TrueImage; }
-
   /// Metres per line, at `count` posts of a row from `column` on, of a ray that crosses `columns` and
   /// `rows` in a line (LengthOf).
   void Lengths(std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count, double columns,

@@ -18,7 +18,8 @@ struct RayBending
 };
 
 /// Measures rays of at most `longest` metres between the corners, the middles of the sides and the
-/// centre of the raster against GeographicLib's geodesics. All 0 without a place on a body.
+/// centre of the raster against GeographicLib's geodesics. All 0 without a place on a body. Throws as
+/// Georeference::LonLatAt.
 RayBending MeasureRayBending(const Georeference& place, double longest);
 
 } // namespace skyline

@@ -24,7 +24,8 @@ struct GridSun
   double Radius = 0.0;    ///< degrees, of the disc
 };
 
-/// A direction on the image's axes: x along its rows, y along its columns northwards, z up.
+/// A direction on the axes of the computation: Georeference::AxisAzimuthAt counts from y towards x; z is
+/// up.
 struct SunVector
 {
   double X = 0.0, Y = 0.0, Z = 1.0;
@@ -49,7 +50,8 @@ public:
   static SunField Constant(double azimuth, double elevation, double radius);
 
   /// The sun in one direction on the image. Where the directions over `place` are counted on the ground
-  /// (Georeference::GroundAxes), that is another one at every post; elsewhere it is Constant's.
+  /// (Georeference::GroundAxes), that is another one at every post; elsewhere it is Constant's. Degrees,
+  /// ranges and std::out_of_range as Constant; std::invalid_argument as Georeference::LonLatAt.
   static SunField OnImage(
     const Georeference& place, double azimuth, double elevation, double radius);
 

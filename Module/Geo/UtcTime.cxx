@@ -215,7 +215,7 @@ UtcTime ParseUtcTime(const std::string& text)
 
 bool NamesZone(const std::string& text)
 {
-  constexpr std::size_t date = 10; // letters, whose signs are no zone's
+  constexpr std::size_t date = 10; // characters of the date, whose hyphens name no zone
   return text.size() > date && text.find_first_of("ZU+-", date) != std::string::npos;
 }
 

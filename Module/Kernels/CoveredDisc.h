@@ -16,7 +16,8 @@ namespace skyline
 double CoveredShare(double distance, double cover, double limbDarkening = 0.0);
 
 /// The covered part of the diameter through both centres, 0 or more, as tables of eclipses give it:
-/// where one disc lies wholly upon the other, the ratio of the diameters.
+/// where one disc lies wholly upon the other, the ratio of the diameters. Both arguments as CoveredShare
+/// takes them, in radii of the covered disc.
 double CoveredMagnitude(double distance, double cover);
 
 } // namespace skyline

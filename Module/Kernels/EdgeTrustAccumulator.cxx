@@ -76,7 +76,8 @@ void EdgeTrustAccumulator::Count(
   float* trust = this->Trust.Values + (row * posts.Columns + column) * this->Trust.Stride;
   const double spacingX = this->RowSpacingX ? this->RowSpacingX[row] : posts.SpacingX;
   const double spacingY = this->RowSpacingY ? this->RowSpacingY[row] : posts.SpacingY;
-  const double right = view.East / spacingX, up = view.North / spacingY; // in posts
+  const double right = view.East / spacingX; // in posts
+  const double up = (view.North - posts.Shear * right) / spacingY;
   const double lastColumn = static_cast<double>(posts.Columns - 1);
   const double lastRow = static_cast<double>(posts.Rows - 1);
   const double there = static_cast<double>(row) + up;

@@ -31,8 +31,7 @@ constexpr double FewPosts = 0.1;
 constexpr double Apart = 0.1;
 constexpr double LeastApart = 10.0; ///< metres
 
-/// Metres by which a terrain must stay clear of 0, and the distinct heights that make it one: a cone
-/// on a plain is a terrain whose 0 is meant.
+/// Metres by which a terrain must stay clear of 0: a cone on a plain is a terrain whose 0 is meant.
 constexpr double ClearOfZero = 50.0;
 
 /// A few posts of 0 stand apart from a flat terrain that lies lower than that by so many of its ranges.
@@ -229,7 +228,7 @@ HeightCensus::Findings HeightCensus::Judge(
   findings.Doubts.resize(std::min(findings.Doubts.size(), MostDoubts));
   findings.Lowest = this->Low.Values[std::min(low, Kept - 1)].Height;
   findings.Highest = this->High.Values[std::min(high, Kept - 1)].Height;
-  findings.Any = this->Count > 0 && findings.Lowest <= findings.Highest;
+  findings.Any = any && findings.Lowest <= findings.Highest;
   if (findings.Any && findings.Doubts.empty() &&
     (findings.Highest - findings.Lowest) * metres > NoRelief)
   {

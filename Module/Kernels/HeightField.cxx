@@ -75,7 +75,7 @@ void HeightField::Close()
   this->LonelyInRows.clear();
   this->LonelyInColumns.clear();
   this->Largest = 0.0f;
-  this->Missing = false;
+  this->Missing = this->Any = false;
   this->MissingInRows = MissingMap();
   for (std::ptrdiff_t row = 0; row < this->Lattice.Rows; ++row)
   {
@@ -88,6 +88,7 @@ void HeightField::Close()
       }
       else
       {
+        this->Any = true;
         this->Largest = std::max(this->Largest, std::abs(line[column]));
       }
     }

@@ -95,6 +95,7 @@ public:
 
   const Grid& Posts() const { return this->Lattice; }
   bool HasMissing() const { return this->Missing; }
+  bool AllMissing() const { return !this->Any; }
   float LargestHeight() const { return this->Largest; } ///< greatest |height - base|, metres
 
   /// Posts that occlude, lines = rows of the image, and lines = columns.
@@ -127,6 +128,7 @@ private:
   MissingMap MissingInRows, MissingInColumns;
   float Largest = 0.0f;
   bool Missing = false;
+  bool Any = false; ///< some post has a height
 };
 
 } // namespace skyline

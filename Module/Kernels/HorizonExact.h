@@ -122,7 +122,7 @@ struct ExactState
   }
 
   /// Lanes of bounds that receivers ask for, on a segment or group whose near edge is line `near`.
-  /// Empty where all of them stand beyond it.
+  /// Empty where all of them stand beyond it. `lines`: from there to the last line that the bounds hold.
   struct LaneRange
   {
     std::ptrdiff_t Begin, End;

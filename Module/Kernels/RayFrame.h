@@ -15,14 +15,14 @@ namespace skyline
 {
 
 /// Unit vector of a grid azimuth in degrees clockwise from north: (east, north). Multiples of 45
-/// degrees are exact. Any finite azimuth.
+/// degrees are exact. Any finite azimuth; others throw std::invalid_argument.
 struct Direction
 {
   double East, North;
 };
 Direction DirectionOfAzimuth(double degrees);
 
-/// Columns and rows a metre along an azimuth on a grid.
+/// Columns and rows a metre along an azimuth on a grid; degrees and errors as in DirectionOfAzimuth.
 struct PostsPerMetre
 {
   double Columns, Rows;

@@ -391,7 +391,7 @@ def irradiance(
             if value is not None:
                 raise ValueError(f"{name} is given, but no sun shines; give sun or time")
     if environment is None and direction is None and not lights and light_method == "sh":
-        raise ValueError("light_method is 'sh', but lamps are no matter of it; leave it out")
+        raise ValueError("light_method is 'sh', which lamps do not use; leave it out")
     if environment is not None:
         sky = _lights.environment_light(environment, rotation, direction)
         filter_.AddLight(sky)

@@ -162,10 +162,10 @@ def run(algorithm: vtkAlgorithm, call: Any = None) -> None:
     Other threads of Python run meanwhile, unless a call is given or some of the pipeline's classes may
     need Python. Runs of several threads wait for each other: each takes all processors.
     """
-    _threads.prepare()
     algorithms = _pipeline(algorithm)
     speakers = algorithms + [one.GetExecutive() for one in algorithms]
     with _one_at_a_time, reported(*speakers), _Stopper(algorithms):
+        _threads.prepare()
         if call:
             call()
         elif all(map(_needs_no_python, algorithms)):

@@ -20,9 +20,10 @@ def _count(wanted: int) -> int:
             others.append(other)
     except (RuntimeError, MemoryError):
         pass  # no more
-    gate.set()
-    for other in others:
-        other.join()
+    finally:  # an interrupt too
+        gate.set()
+        for other in others:
+            other.join()
     return len(others) + 1
 
 

@@ -259,13 +259,13 @@ class Case:
             if not self.out:
                 return "right" if out == self.good else "WRONG"
             return "right" if self.is_good() else "WRONG"
-        if code != 0 and self.out and self.is_old_for_the_next_run():
-            return "ended by the signal" if killed else "refused"
-        if self.out and not self.is_old():
+        if self.out and not self.is_old() and not self.is_old_for_the_next_run():
             # The last steps, such as syncing the folder, can fail when the new file is in its place.
             # Who is killed can be so before the old side file is taken away.
             whole = timeless(self.bytes_of(self.out)) == self.good if killed else self.is_good()
             return "failed, new file" if whole else "SPOILT"
+        if code in (-signal.SIGSEGV, -signal.SIGBUS, -signal.SIGFPE, -signal.SIGILL):
+            return "CRASHED"
         if code < 0:
             return "ended by the signal" if killed else "died"
         if not self.python and not said.strip():
@@ -284,7 +284,7 @@ class Case:
 
 
 # What is wrong whatever the fault was.
-BAD = ["HUNG", "LATE", "WRONG", "SPOILT"]
+BAD = ["HUNG", "LATE", "WRONG", "SPOILT", "CRASHED", "silent"]
 USUAL = ["right", "refused", "ended by the signal"]
 
 

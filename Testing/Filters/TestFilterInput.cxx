@@ -3,10 +3,12 @@
 #include "FilterTesting.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkExtractVOI.h"
 #include "vtkHeightFieldHorizon.h"
 #include "vtkHeightFieldSkyView.h"
 #include "vtkHeightFieldSunShadow.h"
 #include "vtkPointData.h"
+#include "vtkSkylineGeoreference.h"
 
 #include <gtest/gtest.h>
 
@@ -43,6 +45,39 @@ TEST(FilterInput, AllMissing)
   vtkNew<vtkHeightFieldSkyView> filter;
   filter->SetInputData(ImageOf<vtkFloatArray>(field));
   ExpectRefusal(filter, "every post is missing");
+}
+
+TEST(FilterInput, HeightsOfNoBody)
+{
+  oracle::OracleField field = shapes::Plane(5, 5, 1.0, 0.0, 0.0);
+  field.Heights.assign(25, 1e20);
+  vtkNew<vtkHeightFieldSkyView> filter;
+  filter->SetInputData(ImageOf<vtkDoubleArray>(field));
+  ExpectRefusal(filter, "every post is missing");
+}
+
+// A crop by VTK leaves the place of the whole raster, by which distances would be wrong.
+TEST(FilterInput, ACropWithThePlaceOfTheWhole)
+{
+  const auto image = ImageOf<vtkFloatArray>(shapes::Plane(20, 30, 1.0, 0.3, -0.2));
+  vtkNew<vtkExtractVOI> crop;
+  crop->SetInputData(image);
+  crop->SetVOI(3, 12, 4, 15, 0, 0);
+  vtkNew<vtkHeightFieldHorizon> filter;
+  filter->SetInputConnection(crop->GetOutputPort());
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 120); // no place, nothing wrong
+
+  Georeference place;
+  place.Columns = image->GetDimensions()[0];
+  place.Rows = image->GetDimensions()[1];
+  place.HasGeoTransform = true;
+  place.GeoTransform = { 0.0, 1.0, 0.0, 30.0, 0.0, -1.0 };
+  StoreGeoreference(place, image);
+  crop->Modified();
+  vtkNew<vtkHeightFieldSkyView> refusing;
+  refusing->SetInputConnection(crop->GetOutputPort());
+  ExpectRefusal(refusing, "posts, the height field has 10 x 12; cut the raster before");
 }
 
 TEST(FilterInput, NoHeights)

@@ -166,7 +166,7 @@ TEST(AtomicFile, Descriptors)
   ::close(closed);
 }
 
-TEST(AtomicFile, APipeWithoutReaderEndsAndOneWithAReaderIsFilled)
+TEST(AtomicFile, APipeIsFilledWhoseReaderComesLater)
 {
   const std::string folder = FreshFolder("pipe");
   ASSERT_EQ(::mkfifo((folder + "/pipe").c_str(), 0600), 0);

@@ -123,7 +123,7 @@ class BadInput(unittest.TestCase):
         self.refused(ValueError, "no light map is given", light, Z, 10.0, rotation=9.0, **sun)
         for name in ["sun_irradiance", "radius"]:
             self.refused(ValueError, f"{name} is given, but no sun", light, Z, 10.0, **{name: 1.0})
-        self.refused(ValueError, "lamps are no matter", light, Z, 10.0, lamps=[(1, 2, 3, 4)],
+        self.refused(ValueError, "which lamps do not use", light, Z, 10.0, lamps=[(1, 2, 3, 4)],
                      light_method="sh")
         for method in ["sweep", "pyramid"]:
             self.refused(ValueError, "surface is 'bilinear'", skyline.horizon, Z, 10.0, method=method,

@@ -77,7 +77,7 @@ ACTS = {
         (["--colors", "ocean"],), (["--exposure", "1"],), (["--exaggeration", "2"],)],
 }
 
-# Of the commands without -o, and of a picture seen from beside, which needs OpenGL.
+# Options of a picture seen from the side, which needs OpenGL: they have no line in ACTS.
 ELSEWHERE = {"shade": {"--view", "--from", "--size"}}
 
 # command, further options, the option that cannot act under them, and what the message says.
@@ -100,6 +100,7 @@ IDLE = [
     *[("irradiance", ["--method", "sh", *SUN], option, "")
       for option in (["--quadrature", "linear"], ["--no-refinement"], ["--limb-darkening"])],
     ("irradiance", [], ["--bands", "6"], "method sh"),
+    ("sky-view", [], ["--edge-distance", "500"], "EdgeTrust"),
     *[(command, ["--environment", MAP], option, "no sun shines")
       for command in ("irradiance", "shade")
       for option in (["--sun-irradiance", "2"], ["--sun-radius", "1"], ["--limb-darkening"])],
@@ -146,6 +147,7 @@ NUMBERS = {
                        "0001-01-01T00:00Z", "2026-06-21T06:00+24:00"]),
     "--bands": ("irradiance", ["1", "9", "-1"]),
     "--rotation": ("irradiance", ["90deg", "1,5"]),
+    "--edge-distance": ("sky-view", ["-1", "1e10", "5m"]),
     "--sun-irradiance": ("irradiance", ["-1", "1,2", "1,2,3,4", "1,-1,1"]),
     "--lamp": ("irradiance", ["1,2,3", "1,2,3,4,5", "1,2,3,-1", "1,2,3,4,5,6,-7", "1,2,3,nan", "1,2,,4"]),
     "--exaggeration": ("shade", ["0", "-1", "1001"]),
@@ -276,7 +278,8 @@ class Options(ToolTest):
     def test_messages_name_what_is_wrong(self):
         for value, says in [("-inf", "is no number"), ("1 ", "is no number"), ("one", "is no number"),
                             ("0,5", "write 0.5, with a point"), ("5deg", "leave deg out"),
-                            ("1e999", "beyond the numbers"), ("95", "out of range; give 0 to 90 degrees")]:
+                            ("1e999", "1e999 is too large or too small for a number"),
+                            ("95", "out of range; give 0 to 90 degrees")]:
             self.usage(says, "--tolerance", "horizon", self.dem, "-o", "out.tif", "--tolerance", value)
 
     def test_empty_values_are_unset_variables(self):

@@ -107,7 +107,7 @@ class Streams(ToolTest):
 
     def test_a_pipe_that_nobody_writes(self):
         os.mkfifo(self.path("pipe.tif"))
-        self.refused(1, "sun", self.path("pipe.tif"), says="nothing was written")
+        self.refused(1, "sun", self.path("pipe.tif"), says="no program wrote")
         waiting = subprocess.Popen([Program.PROGRAM, "sun", self.path("pipe.tif")],
                                    stderr=subprocess.PIPE)
         time.sleep(1.0)  # until it waits

@@ -42,6 +42,12 @@ class Usage(ToolTest):
         text = self.succeed("--version").stdout
         self.assertRegex(text, re.compile(r"^skyline \d+\.\d+\.\d+\n$"))
 
+    def test_images_are_no_part_of_the_start(self):
+        # OpenImageIO brings as many libraries as all the rest: SkylineIO loads it with the first image.
+        linked = subprocess.run(["ldd", Program.PROGRAM], capture_output=True, text=True, check=True)
+        self.assertIn("libSkylineIO", linked.stdout)
+        self.assertNotIn("OpenImageIO", linked.stdout)
+
     def test_wrong_usage_exits_with_2(self):
         out = self.path("out.tif")
         for arguments in [

@@ -193,7 +193,7 @@ class Leftovers(WritingTest):
             return 0
 
     def begin_writing(self):
-        """A process that holds a temporary in the folder: it waits for its file's last reader."""
+        """A process that holds a temporary in the folder: it is writing."""
         running = self.start("horizon", "big.tif", "-o", "out.tif", "--azimuths", "360")
         end = time.monotonic() + 60
         # The first temporary only tries the place; the one with bytes is the file on its way.
@@ -240,10 +240,11 @@ class Leftovers(WritingTest):
             for number in [signal.SIGHUP, signal.SIGINT, signal.SIGQUIT]:
                 signal.signal(number, signal.SIG_IGN)
 
-        running = self.start("horizon", "big.tif", "-o", "out.tif", "--azimuths", "64",
+        running = self.start("horizon", "big.tif", "-o", "out.tif", "--azimuths", "360",
                              preexec_fn=ignore)
         for number in [signal.SIGHUP, signal.SIGINT, signal.SIGQUIT]:
             time.sleep(0.2)
+            self.assertIsNone(running.poll(), "it was finished before the signal")
             running.send_signal(number)
         _, text = running.communicate(timeout=120)
         self.assertEqual((running.returncode, text), (0, ""))
@@ -261,7 +262,7 @@ class Leftovers(WritingTest):
 
 
 class Threads(WritingTest):
-    def test_any_number_of_threads_will_do(self):
+    def test_no_thread_will_do_and_one_that_is_refused_late_is_told(self):
         preload = os.environ.get("SKYLINE_FAIL_CALLS", "")
         if not os.path.exists(preload):
             self.skipTest("the library that makes threads fail was not built")
@@ -269,24 +270,38 @@ class Threads(WritingTest):
         make(self.path("dem.tif"), hills(600, 700), epsg=UTM10)
         ways = [("horizon", "a.tif", "--azimuths", "8"),
                 ("horizon", "b.tif", "--azimuths", "4", "--cloud-optimized"),
-                ("shade", "c.png", "--azimuths", "8"), ("shade", "d.exr", "--azimuths", "8"),
                 ("shade", "e.tif", "--azimuths", "8")]
 
-        def limited(most):
-            return dict(os.environ, LD_PRELOAD=preload, MOST_THREADS=str(most))
+        def limited(first):
+            """Of the threads that the program starts, that with this number and all later ones fail."""
+            return dict(os.environ, LD_PRELOAD=preload, SKYLINE_FAULT_CALL="thread",
+                        SKYLINE_FAULT_NUMBER=str(first), SKYLINE_FAULT_ERROR=str(errno.EAGAIN),
+                        SKYLINE_FAULT_LASTING="1")
 
-        # Libraries start some before main begins (log4cplus four), and end the program without them.
-        fewest = next(most for most in range(1, 20)
-                      if self.run_program("--version", env=limited(most)).returncode == 0)
         for command, out, *options in ways:
             self.succeed(command, "dem.tif", "-o", out, *options)
             whole = self.bytes_of(out)
-            for most in [fewest, fewest + 1]:
-                with self.subTest(command=command, out=out, most=most):
-                    self.succeed(command, "dem.tif", "-o", out, *options, "--threads", "4",
-                                 env=limited(most))
-                    if not out.endswith(".exr"):  # which holds the second that it was made in
-                        self.assertEqual(self.bytes_of(out), whole)
+            for first in [1, 2, 3]:
+                with self.subTest(command=command, out=out, first=first):
+                    os.remove(self.path(out))
+                    before = self.files()
+                    done = self.run_program(command, "dem.tif", "-o", out, *options, "--threads", "4",
+                                            env=limited(first))
+                    # The program first tries how many threads there are, one thread for each processor.
+                    # What was there then, and is refused to TBB, ends the run.
+                    if first > 1 and done.returncode == 1:
+                        self.assertIn(os.strerror(errno.EAGAIN), done.stderr)
+                        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+                        self.assertEqual(self.files(), before)
+                        self.succeed(command, "dem.tif", "-o", out, *options)
+                    else:
+                        self.assertEqual((done.returncode, done.stderr), (0, ""))
+                    self.assertEqual(self.bytes_of(out), whole)
+        for out in ["c.png", "d.exr"]:
+            with self.subTest(out=out):
+                arguments = ["shade", "dem.tif", "-o", out, "--azimuths", "8", "--threads", "4"]
+                self.refused(1, *arguments, says="OpenImageIO needs 4 threads", env=limited(1))
+                self.succeed(*arguments)
 
 
 if __name__ == "__main__":

@@ -40,7 +40,7 @@ struct TerrainLight
   SunLight Sun;
   SunOptions SunAsked; ///< the time, with Sun.FromTime
   std::string Sky = "uniform";
-  vtkSmartPointer<vtkSkylineEnvironmentLight> Environment; ///< of other skies than Zonal
+  vtkSmartPointer<vtkSkylineEnvironmentLight> Environment; ///< of Formula, Perez and Map
   Rgb MeasuredSun{ { 1, 1, 1 } };                          ///< irradiance beside a measured sky
   std::optional<Rgb> AskedSun;                             ///< irradiance in place of the day's
   bool Air = true;
