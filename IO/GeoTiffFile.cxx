@@ -281,7 +281,8 @@ private:
     }
     if (!this->Content.CloudOptimized)
     {
-      options.SetNameValue("ENDIANNESS", "LITTLE"); // whatever GDAL_TIFF_ENDIANNESS says: TiffBlockTable
+      options.SetNameValue(
+        "ENDIANNESS", "LITTLE"); // whatever GDAL_TIFF_ENDIANNESS says: TiffBlockTable
       options.SetNameValue("COMPRESS", "DEFLATE");
       options.SetNameValue("PREDICTOR", this->Real ? "3" : "2");
     }

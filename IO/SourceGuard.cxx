@@ -2,6 +2,7 @@
 #include "SourceGuard.h"
 
 #include "GuardedVsi.h"
+#include "NetcdfHeader.h"
 
 #include <cpl_http.h>
 
@@ -192,6 +193,23 @@ GDALDataset* SourceGuard::OpenNested(GDALOpenInfo* info)
   return dataset;
 }
 
+/// Whether a driver may be given the path.
+bool SourceGuard::MayRead(const std::string& path)
+{
+  if (!this->MayTouch(path.c_str()))
+  {
+    return false;
+  }
+  std::error_code failed;
+  if (!fs::is_regular_file(path, failed) || NetcdfHeaderFits(path))
+  {
+    return true;
+  }
+  this->Refuse((path == this->File ? "its" : "it leads to '" + path + "', whose") +
+    std::string(" netCDF header counts more than the file holds; fetch the file again"));
+  return false;
+}
+
 /// Judges what libraries open past GDAL's file systems: paths and URLs inside of longer names.
 bool SourceGuard::MayOpen(const std::string& name)
 {
@@ -206,12 +224,12 @@ bool SourceGuard::MayOpen(const std::string& name)
   std::error_code failed;
   if (fs::exists(name, failed))
   {
-    return this->MayTouch(name.c_str()); // one path, whatever marks are in it
+    return this->MayRead(name); // one path, whatever marks are in it
   }
   for (std::size_t begin = 0; begin < name.size();)
   {
     const std::size_t end = std::min(name.find_first_of(Edges, begin), name.size());
-    if (end > begin && !this->MayTouch(name.substr(begin, end - begin).c_str()))
+    if (end > begin && !this->MayRead(name.substr(begin, end - begin)))
     {
       return false;
     }

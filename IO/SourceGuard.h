@@ -58,6 +58,7 @@ private:
   static void HookFirstDriver();
   GDALDataset* OpenNested(GDALOpenInfo* info);
   bool MayOpen(const std::string& name);
+  bool MayRead(const std::string& path);
   void Refuse(const std::string& reason);
   bool SpellsOut(const std::string& path) const;
   void AddFolder(const std::string& folder);

@@ -74,7 +74,7 @@ private:
   std::string Path;
   std::array<std::string, SideFiles.size()> Sides, Asides; ///< the target's, and their names aside
   int File = -1;
-  int Slot = -1; ///< in the list for RemoveTemporaries
+  int Slot = -1;       ///< in the list for RemoveTemporaries
   bool Needed = false; ///< by side files that are still aside
 };
 

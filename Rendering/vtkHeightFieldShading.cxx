@@ -318,8 +318,8 @@ int vtkHeightFieldShading::RequestData(
     return 0;
   }
 
-  Terrain terrain{ heights, columns, rows, { in->GetSpacing()[0], in->GetSpacing()[1] },
-    {}, nullptr };
+  Terrain terrain{ heights, columns, rows, { in->GetSpacing()[0], in->GetSpacing()[1] }, {},
+    nullptr };
   skyline::SunField sun = skyline::SunField::Constant(0.0, 90.0, 0.0);
   try
   {

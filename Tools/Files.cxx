@@ -253,8 +253,8 @@ void CheckRasterOutput(const std::string& output, const std::vector<std::string>
   const std::string extension = ExtensionOf(output);
   if (!extension.empty() && extension != ".tif" && extension != ".tiff")
   {
-    throw WrongUsage(
-      "--output: cannot write '" + output + "': a raster is written as GeoTIFF; end its name in .tif");
+    throw WrongUsage("--output: cannot write '" + output +
+      "': a raster is written as GeoTIFF; end its name in .tif");
   }
 }
 

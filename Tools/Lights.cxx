@@ -249,7 +249,8 @@ std::vector<LightPointer> MakeLights(
   const SunLight sun = FindSun(options.Sun, center.Place, center.Height);
   const bool sunAsked = options.Sun.Asked();
   const bool perez = KindOfSky(options.Environment) == SkyKind::Perez;
-  if (KindOfSky(options.Environment) == SkyKind::Formula && sunAsked && sun.ApparentElevation <= 0.0)
+  if (KindOfSky(options.Environment) == SkyKind::Formula && sunAsked &&
+    sun.ApparentElevation <= 0.0)
   {
     PrintWarning(Doubt{ "the sun is below the horizon, and " + options.Environment +
                      " is a sky by day whose brightness is relative",

@@ -23,9 +23,9 @@ const skyline::Limits RefractionLimits{ "-100 to below 1, 0.13 in usual air", -1
 std::string CheckNodata(const std::string& text)
 {
   const bool special = text == "nan" || text == "inf" || text == "-inf";
-  return special || skyline::ReadNumber(text)
-    ? ""
-    : skyline::WhyNoNumbers(text) + "; give the value of posts without a height, as in -9999 or nan";
+  return special || skyline::ReadNumber(text) ? ""
+                                              : skyline::WhyNoNumbers(text) +
+      "; give the value of posts without a height, as in -9999 or nan";
 }
 
 } // namespace

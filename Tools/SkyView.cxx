@@ -36,8 +36,8 @@ struct SkyViewCommand
   void Check(const skyline::IdleOptions& options) const
   {
     this->Horizon.RefuseIdle(options);
-    const bool trust =
-      std::find(this->Quantities.begin(), this->Quantities.end(), "EdgeTrust") != this->Quantities.end();
+    const bool trust = std::find(this->Quantities.begin(), this->Quantities.end(), "EdgeTrust") !=
+      this->Quantities.end();
     options.Refuse(!trust, { "--edge-distance" },
       "only the quantity EdgeTrust has it; leave it out, or add --quantity EdgeTrust");
   }
@@ -113,8 +113,8 @@ void AddSkyView(CLI::App& program)
     ->type_size(1)
     ->allow_extra_args(false);
   AddNumber(*app, "--edge-distance", command->EdgeDistance, { "0 to 1e9 metres", 0.0, 1e9 },
-      "How far the data must reach for EdgeTrust, metres, 0 (any terrain at all) or more.\n"
-      "Default: 1000, or a tenth of the DEM's shorter side if that is less")
+    "How far the data must reach for EdgeTrust, metres, 0 (any terrain at all) or more.\n"
+    "Default: 1000, or a tenth of the DEM's shorter side if that is less")
     ->type_name("METRES");
   command->Horizon.AddTo(*app);
   AddTalk(*app, command->Talk);

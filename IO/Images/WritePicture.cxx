@@ -193,12 +193,12 @@ void WritePicture(
     file.Fail(OIIO::geterror());
   }
   output->threads(1);
-  bool written = output->open(file.GetPath(),
-    Describe(picture.Columns, picture.Rows, picture.Channels, pixels.Stored));
+  bool written = output->open(
+    file.GetPath(), Describe(picture.Columns, picture.Rows, picture.Channels, pixels.Stored));
   ProgressBridge progress{ report, nullptr };
   written = written &&
-    output->write_image(pixels.Source, pixels.Top, OIIO::AutoStride, pixels.Line,
-      OIIO::AutoStride, &ProgressBridge::Call, &progress);
+    output->write_image(pixels.Source, pixels.Top, OIIO::AutoStride, pixels.Line, OIIO::AutoStride,
+      &ProgressBridge::Call, &progress);
   std::string reason = output->geterror();
   written = output->close() && written;
   reason += output->geterror();
@@ -215,8 +215,8 @@ void WritePicture(
   {
     file.Fail(reason);
   }
-  CheckPicture(pixels, file,
-    [&](double part) { report(WritingPart + (1.0 - WritingPart) * part); });
+  CheckPicture(
+    pixels, file, [&](double part) { report(WritingPart + (1.0 - WritingPart) * part); });
 }
 
 } // namespace skyline

@@ -127,7 +127,9 @@ double FreeOfGroups(const std::string& root, double swap)
     {
       least = std::min(least, FreeOfGroup(top + (path == "/" ? "" : path), unified, swap));
       const std::size_t slash = path.rfind('/');
-      path = path == "/" || slash == std::string::npos ? "" : path.substr(0, std::max<std::size_t>(slash, 1));
+      path = path == "/" || slash == std::string::npos
+        ? ""
+        : path.substr(0, std::max<std::size_t>(slash, 1));
     }
   }
   return least;

@@ -133,9 +133,9 @@ Georeference GeoreferenceOf(vtkImageData* image)
   {
     if (place.HasGeoTransform || place.OnBody() || !place.RowSpacingX.empty())
     {
-      throw std::invalid_argument("the georeference is for " + std::to_string(place.Columns) + " x " +
-        std::to_string(place.Rows) + " posts, the height field has " + std::to_string(posts[0]) +
-        " x " + std::to_string(posts[1]) +
+      throw std::invalid_argument("the georeference is for " + std::to_string(place.Columns) +
+        " x " + std::to_string(place.Rows) + " posts, the height field has " +
+        std::to_string(posts[0]) + " x " + std::to_string(posts[1]) +
         "; cut the raster before (gdal_translate -srcwin), or by the reader's extent");
     }
     place.Columns = posts[0];

@@ -94,7 +94,8 @@ TEST(ReaderDoubts, FillValuesAreNamedCountedAndCured)
 TEST(ReaderDoubts, ZeroUnderAFlatTerrain)
 {
   Recipe recipe = HillsWith(0.0, 16);
-  recipe.Value = [](int i, int j) { return i < 4 && j < 4 ? 0.0 : 35.0 + 2.0 * std::sin(0.7 * i + j); };
+  recipe.Value = [](int i, int j)
+  { return i < 4 && j < 4 ? 0.0 : 35.0 + 2.0 * std::sin(0.7 * i + j); };
   Expect(WarningsOf(Make(recipe)), "16 posts of '/vsimem/made.tif' have the height 0");
 }
 
@@ -132,7 +133,8 @@ TEST(ReaderDoubts, TerrainIsNotDoubted)
     "heights of 1e7 m", [](int i, int j) { return 1e7 + 0.001 * (i + j); }, GDT_Float64);
   quiet("houses above their ground",
     [](int i, int j) { return i > 50 && j % 3 == 0 ? 20.0 + 0.1 * j : 0.0; });
-  quiet("an island's shelf", [](int i, int j) { return i < 50 ? -4000.0 + 90.0 * i + j : 100.0 + i; });
+  quiet(
+    "an island's shelf", [](int i, int j) { return i < 50 ? -4000.0 + 90.0 * i + j : 100.0 + i; });
   quiet("flat", [](int, int) { return 0.0; });
 }
 

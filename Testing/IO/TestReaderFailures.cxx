@@ -59,6 +59,23 @@ std::string Wrap(const std::string& elements)
 
 } // namespace
 
+TEST(ReaderFailures, ClassicNetcdfThatCountsTooMuch)
+{
+  const auto put = [](const char* name, char variables, char most)
+  {
+    const std::string file = ::testing::TempDir() + name;
+    // No records, dimensions and attributes; then variables, as many as the first and last byte say.
+    const char header[] = { 'C', 'D', 'F', 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+      0, 0, 0, 0, 0, 11, most, 0, 0, variables };
+    std::ofstream(file, std::ios::binary).write(header, sizeof(header));
+    return file;
+  };
+  const std::string words = "its netCDF header counts more than the file holds";
+  EXPECT_NE(Fail(put("many.nc", 0, 16)).Message.find(words), std::string::npos);
+  EXPECT_NE(Fail(put("one.nc", 1, 0)).Message.find(words), std::string::npos);
+  EXPECT_EQ(Fail(put("none.nc", 0, 0)).Message.find(words), std::string::npos);
+}
+
 TEST(ReaderFailures, NoFileName)
 {
   ExpectFailure("", vtkErrorCode::NoFileNameError, "SetFileName");
