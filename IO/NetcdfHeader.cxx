@@ -28,7 +28,8 @@ public:
   {
     char magic[4] = {};
     this->File.read(magic, sizeof(magic));
-    this->Version = this->File && magic[0] == 'C' && magic[1] == 'D' && magic[2] == 'F' ? magic[3] : 0;
+    this->Version =
+      this->File && magic[0] == 'C' && magic[1] == 'D' && magic[2] == 'F' ? magic[3] : 0;
     if (this->Version == 1 || this->Version == 2 || this->Version == 5)
     {
       this->CountBytes = this->Version == 5 ? 8 : 4;
@@ -51,7 +52,8 @@ private:
     std::uint64_t number = 0;
     for (std::uint64_t i = 0; i < bytes && this->Good; ++i)
     {
-      number = number << 8U | static_cast<std::uint64_t>(static_cast<unsigned char>(this->File.get()));
+      number =
+        number << 8U | static_cast<std::uint64_t>(static_cast<unsigned char>(this->File.get()));
     }
     this->Take(bytes);
     return number;
@@ -113,8 +115,7 @@ private:
   void Variables()
   {
     this->Skip(TagBytes);
-    const std::uint64_t least =
-      4 * this->CountBytes + TagBytes + TypeBytes + this->PlaceBytes;
+    const std::uint64_t least = 4 * this->CountBytes + TagBytes + TypeBytes + this->PlaceBytes;
     for (std::uint64_t i = this->Count(least); i > 0 && this->Good; --i)
     {
       this->Name();
