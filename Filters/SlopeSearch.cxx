@@ -140,8 +140,9 @@ void FindParts(
     });
 }
 
-// Tiles are halved until they use this many rays each way, or are this small.
-constexpr std::size_t RaysPerTile = 4;
+// Tiles are halved until they span no more than this many steps from ray to ray each way, or are this
+// small.
+constexpr std::size_t StepsPerTile = 4;
 constexpr std::ptrdiff_t SmallestRows = 16, SmallestColumns = 32;
 
 // Nearness of a place to a ray: 1 on it, 0 at its neighbours.
@@ -235,7 +236,7 @@ void FanBlend::Divide(const PostRegion& posts)
   const std::size_t used =
     std::max(tile.LastDirection - tile.FirstDirection, tile.LastLength - tile.FirstLength);
   const bool tall = rows > SmallestRows, wide = count > SmallestColumns;
-  if (used <= RaysPerTile || (!tall && !wide))
+  if (used <= StepsPerTile || (!tall && !wide))
   {
     this->Tiles.push_back(tile);
   }

@@ -62,6 +62,8 @@ struct vtkHeightFieldIrradiance::SortedLights
   std::vector<skyline::SkyDisc> LargeDiscs;
   std::vector<vtkSkylineSunLight*> Suns;
   std::vector<vtkSkylineLampLight*> Lamps;
+  std::vector<int> LampNumbers; // from 1, in the order of AddLight
+  int AllLamps = 0;
 
   std::size_t Count() const
   {
@@ -71,6 +73,7 @@ struct vtkHeightFieldIrradiance::SortedLights
 
   void Add(vtkSkylineLight* light, const skyline::HorizonScene& scene)
   {
+    this->AllLamps += vtkSkylineLampLight::SafeDownCast(light) ? 1 : 0;
     if (!light->GetSwitch())
     {
       return;
@@ -92,6 +95,7 @@ struct vtkHeightFieldIrradiance::SortedLights
     else if (auto* lamp = vtkSkylineLampLight::SafeDownCast(light))
     {
       this->Lamps.push_back(lamp);
+      this->LampNumbers.push_back(this->AllLamps);
     }
   }
 };
@@ -404,13 +408,14 @@ bool vtkHeightFieldIrradiance::AddLamps(skyline::HorizonScene& scene, const Sort
   const skyline::ImageFrame frame{ { { origin[0], origin[1] } }, { { spacing[0], spacing[1] } } };
   double bounds[6];
   image->GetBounds(bounds);
-  int number = 0;
-  for (vtkSkylineLampLight* lamp : lights.Lamps)
+  for (std::size_t i = 0; i < lights.Lamps.size(); ++i)
   {
+    vtkSkylineLampLight* const lamp = lights.Lamps[i];
     ++this->LampPasses;
     const double* place = lamp->GetPosition();
-    const auto doubt = skyline::FarLamp(++number, { place[0], place[1], lamp->GetRadius() },
-      { { bounds[0], bounds[1], bounds[2], bounds[3] } });
+    const auto doubt =
+      skyline::FarLamp(lights.LampNumbers[i], { place[0], place[1], lamp->GetRadius() },
+        { { bounds[0], bounds[1], bounds[2], bounds[3] } });
     if (doubt)
     {
       skyline::Warn(this, *doubt);

@@ -38,8 +38,8 @@ public:
   ///@}
 
   ///@{
-  /// Middle of the swath, degrees clockwise from grid north; default 0. Of no account for a circle,
-  /// whose first azimuth is north.
+  /// Middle of the swath, degrees clockwise from grid north, on a distorted map from the +y axis of the
+  /// ground at every post; default 0. Without effect on a circle, whose first azimuth is north.
   vtkSetMacro(SwathAzimuth, double);
   vtkGetMacro(SwathAzimuth, double);
   ///@}

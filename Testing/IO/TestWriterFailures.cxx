@@ -218,10 +218,13 @@ TEST(WriterFailures, StaleGeoreference)
   skyline::Georeference place;
   place.Columns = 40;
   place.Rows = 10;
+  place.HasGeoTransform = true;
+  place.GeoTransform = { 0.0, 1.0, 0.0, 10.0, 0.0, -1.0 };
   skyline::StoreGeoreference(place, image);
   vtkNew<vtkHeightFieldWriter> writer;
   writer->SetInputData(image);
-  EXPECT_TRUE(Contains(Fail(writer, OutputPath("x.tif")), "40 x 10 posts, the input has 20 x 10"));
+  EXPECT_TRUE(
+    Contains(Fail(writer, OutputPath("x.tif")), "40 x 10 posts, the height field has 20 x 10"));
 }
 
 TEST(WriterFailures, FailedInputWritesNothing)
