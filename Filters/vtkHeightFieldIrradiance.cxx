@@ -33,7 +33,6 @@
 
 vtkStandardNewMacro(vtkHeightFieldIrradiance);
 
-// The lights that shine, by how they are computed.
 namespace
 {
 
@@ -55,6 +54,7 @@ skyline::TurnedLightMap OnGround(
 
 } // namespace
 
+// The lights that shine, by how they are computed.
 struct vtkHeightFieldIrradiance::SortedLights
 {
   std::vector<skyline::TurnedLightMap> Maps;

@@ -354,7 +354,8 @@ std::string Temporary::PutAside(const std::string& target)
     this->Sides[i] = target + SideFiles[i];
     this->Asides[i] = aside + SideFiles[i];
   }
-  if (this->Slot >= 0 && this->Asides[0].size() + LongestSuffix < LongestAside)
+  if (this->Slot >= 0 && target.size() + LongestSuffix < PATH_MAX &&
+    this->Asides[0].size() + LongestSuffix < LongestAside)
   {
     Entry& entry = Entries[static_cast<std::size_t>(this->Slot)];
     std::memcpy(entry.Target, target.c_str(), target.size() + 1);

@@ -148,7 +148,7 @@ def lamp_lights(lamps: Any, terrain: vtkImageData) -> Iterable[vtkSkylineLampLig
         parts = tuple(lamp) if np.iterable(lamp) else lamp
         count = 7 if np.size(parts) == 7 else 4
         given = _check.numbers(name, parts, count, wanted)
-        _check.number(name + "[3]", given[3], "a radius of 0 or more", lambda r: r >= 0.0)
+        _check.number(name + "[3]", given[3], "a radius above 0", lambda r: r > 0.0)
         light = vtkSkylineLampLight()
         light.SetPosition(*_in_image(given[0], given[1], terrain), given[2])
         light.SetRadius(given[3])

@@ -168,7 +168,7 @@ class BadInput(unittest.TestCase):
         for strength in [-1.0, NAN, (1.0, 2.0), (1.0, -1.0, 1.0)]:
             self.refused(ValueError, "sun_irradiance", light, Z, 10.0, sun=(1, 2),
                          sun_irradiance=strength)
-        for lamp in [(1, 2, 3), (1, 2, 3, -1.0), (1, 2, NAN, 4), (1, 2, 3, 4, 5, 6, -7)]:
+        for lamp in [(1, 2, 3, 0), (1, 2, 3), (1, 2, 3, -1.0), (1, 2, NAN, 4), (1, 2, 3, 4, 5, 6, -7)]:
             self.refused(ValueError, r"lamps\[0\]", light, Z, 10.0, lamps=[lamp])
         self.refused(TypeError, r"lamps\[0\]", light, Z, 10.0, lamps=[4])
         self.refused(TypeError, "lamps is 4", light, Z, 10.0, lamps=4)
