@@ -33,6 +33,7 @@ public:
   vtkTypeMacro(vtkHeightFieldAlgorithm, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// The ways to find horizons; Documentation/horizon.md compares them.
   enum MethodType
   {
     EXACT = 0,  ///< every edge of the surface that can matter
@@ -40,6 +41,7 @@ public:
     SWEEP = 2,  ///< Timonen & Westerholm 2010 as published, resampled: off by degrees at places
     PYRAMID = 3 ///< Snyder & Nowrouzezahrai 2008: smooth, off by a degree, horizons of 0 at least
   };
+  /// The surfaces through the posts.
   enum SurfaceType
   {
     TRIANGLES = 0, ///< each cell split from its (i, j) to its (i + 1, j + 1) post
@@ -102,9 +104,11 @@ public:
   vtkBooleanMacro(LevelSpline, bool);
   ///@}
 
+  ///@{
   /// Seconds that the last execution took: preparation of bounds, and search with its consumers.
   vtkGetMacro(PrepareSeconds, double);
   vtkGetMacro(SearchSeconds, double);
+  ///@}
 
   /// Pyramids that the last execution built (PYRAMID). Heights that did not change keep theirs, as long
   /// as the method is PYRAMID.

@@ -38,11 +38,13 @@ public:
   vtkTypeMacro(vtkHeightFieldIrradiance, vtkHeightFieldAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// The ways to integrate distant light over the sky that a post sees.
   enum LightMethodType
   {
     TABLE = 0,    ///< exact integrals of each swath's light above the horizon
     HARMONICS = 1 ///< spherical harmonics of HarmonicBands bands: a fast preview
   };
+  /// What is assumed about the horizon between two searched azimuths.
   enum QuadratureType
   {
     CONSTANT = 0, ///< each horizon stands for its swath (Timonen & Westerholm 2010)
@@ -119,7 +121,7 @@ public:
   vtkGetMacro(LampPasses, int);
   ///@}
 
-  /// Lights too.
+  /// The time of the last change of this filter or of one of its lights.
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -28,6 +28,7 @@ public:
   vtkTypeMacro(vtkSkylineEnvironmentLight, vtkSkylineLight);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// What an environment's light is taken from.
   enum SourceType
   {
     UNIFORM = 0, ///< the same radiance everywhere: Radiance
@@ -92,6 +93,7 @@ public:
   vtkGetMacro(SunElevation, double);
   ///@}
 
+  /// The time of the last change of this light or of its image.
   vtkMTimeType GetMTime() override;
 
   /// What the kernels see, valid until the light changes. Throws std::invalid_argument with a

@@ -157,6 +157,7 @@ public:
    */
   static constexpr double AutoLevel = 0.68;
 
+  /// The time of the last change of this filter or of its lookup table.
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -64,7 +64,7 @@ public:
   void GetPassSeconds(double seconds[5]);
   ///@}
 
-  /// The device too.
+  /// The time of the last change of this filter or of its device.
   vtkMTimeType GetMTime() override;
 
 protected:

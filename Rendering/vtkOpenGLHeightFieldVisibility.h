@@ -53,7 +53,7 @@ public:
   /// tiles, or after the host. Valid until the next update. Where posts are missing they mean nothing.
   vtkTextureObject* GetTexture(int index);
 
-  /// The device too.
+  /// The time of the last change of this filter or of its device.
   vtkMTimeType GetMTime() override;
 
 protected:

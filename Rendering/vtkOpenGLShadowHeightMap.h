@@ -44,7 +44,7 @@ public:
   /// Whether the graphics processor made the last result.
   bool IsOnDevice();
 
-  /// The device too.
+  /// The time of the last change of this filter or of its device.
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -51,11 +51,16 @@ public:
    */
   std::string GetFragmentShaderText();
 
+  /// The time of the last change of this mapper or of its light.
   vtkMTimeType GetMTime() override;
+
+  ///@{
+  /// Called by VTK for every picture and when a window goes; not to be called by users.
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
+  ///@}
 
 protected:
   vtkSoftShadowPolyDataMapper();

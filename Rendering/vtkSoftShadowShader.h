@@ -58,6 +58,7 @@ public:
   vtkTypeMacro(vtkSoftShadowShader, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// What the light is computed from; see SetMode.
   enum ModeType
   {
     IRRADIANCE,
