@@ -15,7 +15,7 @@ namespace benchmark
 /// How the session was made.
 struct ReportOrigin
 {
-  std::string Program; ///< "skyline 0.1.0"
+  std::string Program; ///< name and version, "skyline 0.2.0"
   std::string Command; ///< as typed
 };
 

@@ -15,10 +15,13 @@ And the VTK classes themselves, which behave like every wrapped class of VTK:
 
     reader = skyline.vtkHeightFieldReader()                        # help(skyline.vtkHeightFieldHorizon)
     skyline.update(reader)                                         # as reader.Update(), but errors are raised
+
+skyline.__version__ is the version, "0.2.0" for instance.
 """
 
 from typing import TYPE_CHECKING, Any
 
+from ._built import VERSION as __version__
 from ._native import *  # noqa: F401,F403
 # "as": type checkers hand on only what is renamed.
 from ._doors import Options as Options

@@ -33,6 +33,7 @@ shade: Floats = skyline.shadow_height(z, 10.0, sun=(1, 2))
 place: tuple[float, float, float] = skyline.sun_position("dem.tif", "2026-06-21")
 skyline.write("out.tif", seen, like="dem.tif")
 skyline.update(skyline.vtkHeightFieldHorizon())
+version: str = skyline.__version__
 
 
 def my_sky(z: Floats, **options: object) -> Floats:
@@ -48,6 +49,7 @@ skyline.horizon([[1, 2], [3, 4]], 10.0, rows=3)
 skyline.horizon([[1, 2], [3, 4]], 10.0, azimuths="8")
 skyline.sky_view([[1, 2], [3, 4]], 10.0, method="best")
 skyline.shadow_height([[1, 2], [3, 4]], 10.0)
+version: int = skyline.__version__
 """
 
 
@@ -74,7 +76,7 @@ class Hints(unittest.TestCase):
         self.assertEqual(check(self.file(GOOD)), [])
         wrong = check(self.file(BAD))
         lines = {int(line.split(":")[1]) for line in wrong}
-        self.assertEqual(lines, {3, 4, 5, 6, 7}, wrong)
+        self.assertEqual(lines, {3, 4, 5, 6, 7, 8}, wrong)
 
 
 if __name__ == "__main__":
