@@ -11,3 +11,7 @@ write_basic_package_version_file("${config}Version.cmake" COMPATIBILITY SameMino
 install(FILES "${config}.cmake" "${config}Version.cmake"
   DESTINATION "${skyline_cmake_destination}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+# The last of all rules: it lists what the others have installed.
+install(CODE "set(SKYLINE_CMAKE_DESTINATION \"${skyline_cmake_destination}\")")
+install(SCRIPT "${CMAKE_CURRENT_LIST_DIR}/WriteUninstall.cmake")

@@ -21,7 +21,7 @@ skyline.__version__ is the version, "0.2.0" for instance.
 
 from typing import TYPE_CHECKING, Any
 
-from ._built import VERSION as __version__
+from ._built import __version__ as __version__
 from ._native import *  # noqa: F401,F403
 # "as": type checkers hand on only what is renamed.
 from ._doors import Options as Options

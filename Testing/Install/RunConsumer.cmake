@@ -34,6 +34,37 @@ run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build")
 run("${WORK_DIR}/build/SkyView" "${DEM}" "${WORK_DIR}/sky-view.tif")
 run("${prefix}/bin/skyline" sun "${DEM}" --time 2026-06-21T06:00Z)
 if (DEFINED PYTHON)
+  # Leaves compiled files beside the installed ones.
   run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${prefix}/${PYTHON_DIR}"
     "${PYTHON}" -c "import skyline; skyline.vtkHeightFieldHorizon()")
+endif ()
+
+# A project need not wait for an installation: the build folder has a package too.
+file(WRITE "${WORK_DIR}/build-tree/CMakeLists.txt" "
+cmake_minimum_required(VERSION 3.25)
+project(BuildTree LANGUAGES C CXX)
+find_package(Skyline ${VERSION} EXACT REQUIRED)
+add_executable(SkyView \"${CONSUMER_DIR}/SkyView.cxx\")
+target_link_libraries(SkyView PRIVATE Skyline::SkylineFilters Skyline::SkylineIO)
+")
+run("${CMAKE_COMMAND}" -S "${WORK_DIR}/build-tree" -B "${WORK_DIR}/build-tree/build" -G "${GENERATOR}"
+  "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}"
+  "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
+  "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"
+  "-DVTK_DIR=${VTK_DIR}"
+  "-DSkyline_DIR=${BUILD_DIR}/${LIBRARY_DIR}/cmake/Skyline")
+run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build-tree/build")
+run("${WORK_DIR}/build-tree/build/SkyView" "${DEM}" "${WORK_DIR}/build-tree.tif")
+file(SHA256 "${WORK_DIR}/sky-view.tif" installed)
+file(SHA256 "${WORK_DIR}/build-tree.tif" built)
+if (NOT installed STREQUAL built)
+  message(FATAL_ERROR "the installed library and the one in the build folder compute different files")
+endif ()
+
+# Removes what was installed and nothing else, though the prefix has moved.
+file(WRITE "${prefix}/share/of-somebody-else" "")
+run("${CMAKE_COMMAND}" -P "${prefix}/${LIBRARY_DIR}/cmake/Skyline/SkylineUninstall.cmake")
+file(GLOB_RECURSE left LIST_DIRECTORIES TRUE RELATIVE "${prefix}" "${prefix}/*")
+if (NOT left STREQUAL "share;share/of-somebody-else")
+  message(FATAL_ERROR "after uninstalling: ${left}")
 endif ()
