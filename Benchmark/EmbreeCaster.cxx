@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EmbreeCaster.h"
 
-#include "HorizonTesting.h"
+#include "Reference/OracleTerrain.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #ifndef skyline_EmbreeCaster_h
 #define skyline_EmbreeCaster_h
 
-#include "Oracle.h"
+#include "Reference/Oracle.h"
 
 #if SKYLINE_EMBREE >= 4
 #include <embree4/rtcore.h>

@@ -2,7 +2,7 @@
 #include "EmbreeHorizon.h"
 
 #include "Measure.h"
-#include "Shapes.h"
+#include "Reference/Shapes.h"
 
 #include <algorithm>
 #include <cmath>

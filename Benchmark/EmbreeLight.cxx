@@ -6,8 +6,8 @@
 #ifdef SKYLINE_EMBREE
 #include "EmbreeCaster.h"
 
-#include "../Testing/Lamps/LampOracle.h"
-#include "Shapes.h"
+#include "Reference/LampOracle.h"
+#include "Reference/Shapes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #ifndef skyline_EveryCrossing_h
 #define skyline_EveryCrossing_h
 
-#include "HorizonMethod.h"
+#include "Horizon/HorizonMethod.h"
 
 namespace skyline
 {

@@ -3,7 +3,7 @@
 #ifndef skyline_External_h
 #define skyline_External_h
 
-#include "Oracle.h"
+#include "Reference/Oracle.h"
 
 #include <filesystem>
 #include <string>

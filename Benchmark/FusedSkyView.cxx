@@ -4,7 +4,7 @@
 #include "HorizonScene.h"
 #include "Measure.h"
 #include "SceneImage.h"
-#include "SkyAccumulator.h"
+#include "Sky/SkyAccumulator.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"

@@ -4,7 +4,7 @@
 #define skyline_GrassLocation_h
 
 #include "External.h"
-#include "Oracle.h"
+#include "Reference/Oracle.h"
 
 #include <filesystem>
 #include <string>

@@ -5,7 +5,7 @@
 #include "EmbreeHorizon.h"
 #include "EveryCrossing.h"
 #include "GrassHorizon.h"
-#include "HorizonExact.h"
+#include "Horizon/HorizonExact.h"
 #include "KernelMethods.h"
 #include "SceneImage.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "KernelMethods.h"
 
-#include "HorizonTesting.h"
 #include "Measure.h"
+#include "Reference/OracleTerrain.h"
 
 #include <algorithm>
 

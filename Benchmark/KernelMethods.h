@@ -3,7 +3,7 @@
 #ifndef skyline_KernelMethods_h
 #define skyline_KernelMethods_h
 
-#include "HorizonMethod.h"
+#include "Horizon/HorizonMethod.h"
 #include "Result.h"
 #include "Truth.h"
 

@@ -2,9 +2,9 @@
 #include "Jobs.h"
 
 #include "EmbreeLight.h"
-#include "HorizonTesting.h"
-#include "LampIrradiance.h"
-#include "Normals.h"
+#include "HeightField/Normals.h"
+#include "Lamps/LampIrradiance.h"
+#include "Reference/OracleTerrain.h"
 
 #include <cstdio>
 #include <string>

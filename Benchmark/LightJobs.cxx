@@ -4,9 +4,9 @@
 #include "ClearSky.h"
 #include "DeviceRun.h"
 #include "External.h"
-#include "LightTable.h"
 #include "PeerSuns.h"
 #include "SceneImage.h"
+#include "Sky/LightTable.h"
 
 #include "vtkFloatArray.h"
 #include "vtkHeightFieldIrradiance.h"

@@ -5,7 +5,7 @@
 #include "EveryCrossing.h"
 #include "FusedSkyView.h"
 #include "GrassHorizon.h"
-#include "HorizonExact.h"
+#include "Horizon/HorizonExact.h"
 #include "KernelMethods.h"
 
 #include <sstream>

@@ -4,7 +4,7 @@
 #define skyline_PeerSuns_h
 
 #include "External.h"
-#include "Oracle.h"
+#include "Reference/Oracle.h"
 #include "Stage.h"
 
 #include <functional>

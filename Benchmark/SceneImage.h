@@ -3,7 +3,7 @@
 #ifndef skyline_SceneImage_h
 #define skyline_SceneImage_h
 
-#include "Oracle.h"
+#include "Reference/Oracle.h"
 
 #include "vtkSmartPointer.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes.h"
 
-#include "Shapes.h"
+#include "Reference/Shapes.h"
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"

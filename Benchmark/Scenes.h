@@ -3,7 +3,7 @@
 #ifndef skyline_Scenes_h
 #define skyline_Scenes_h
 
-#include "Oracle.h"
+#include "Reference/Oracle.h"
 
 #include <cstddef>
 #include <string>

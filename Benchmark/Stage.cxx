@@ -3,9 +3,9 @@
 
 #include "ClearSky.h"
 
-#include "../Testing/Irradiance/LightTesting.h"
-#include "../Testing/Lamps/LampOracle.h"
 #include "Azimuths.h"
+#include "Reference/LampOracle.h"
+#include "Reference/LightOracle.h"
 
 #include <algorithm>
 #include <cmath>

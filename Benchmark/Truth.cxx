@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Truth.h"
 
-#include "Shapes.h"
+#include "Reference/Shapes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Functions that add tests. Every test carries its room as label: `ctest --preset default -L Geo`.
+# Functions that add tests. Every test carries its room as label: `ctest --preset default -L Sun`.
 include(GoogleTest)
 include("${CMAKE_CURRENT_LIST_DIR}/SkylineTargets.cmake")
 
 # skyline_add_gtest(<Name> <source>... [LIBRARIES <target>...] [LABELS <label>...] [SERIAL])
 #   Builds a GoogleTest program (with GoogleTest's main) and adds each of its tests to ctest.
-#   In Testing/Geo:  skyline_add_gtest(TestSunPosition TestSunPosition.cxx)
-#   Links Skyline::SkylineCore; name more with LIBRARIES. SERIAL: runs alone (timings).
+#   In Testing/Module/Sun:  skyline_add_gtest(TestSunPosition TestSunPosition.cxx)
+#   Links SkylineReference and the core; name more with LIBRARIES. SERIAL: runs alone (timings).
 #   SKYLINE_TEST_DATA (Testing/Data) and SKYLINE_TEST_OUTPUT (a folder to write in) are strings.
 function (skyline_add_gtest name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "SERIAL" "" "LIBRARIES;LABELS")
@@ -16,8 +16,7 @@ function (skyline_add_gtest name)
 
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
   skyline_compile_options(${name})
-  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/Testing/Oracle")
-  target_link_libraries(${name} PRIVATE Skyline::SkylineCore ${arg_LIBRARIES} GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE SkylineReference ${arg_LIBRARIES} GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     "SKYLINE_TEST_DATA=\"${PROJECT_SOURCE_DIR}/Testing/Data\""
     "SKYLINE_TEST_OUTPUT=\"${output}\"")
@@ -46,4 +45,18 @@ function (skyline_add_python_test name script)
   set_tests_properties(${room}.${name} PROPERTIES
     ENVIRONMENT_MODIFICATION "PYTHONPATH=path_list_prepend:${CMAKE_BINARY_DIR}/python"
     LABELS "${room}" TIMEOUT 600)
+endfunction ()
+
+# skyline_add_program_tests(<Name>...)
+#   Runs the Python script <Name>.py with the built program and the folder of data; skipped, by the exit
+#   code 77, where GDAL's Python module is not installed.
+function (skyline_add_program_tests)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  get_filename_component(room "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
+  foreach (name IN LISTS ARGN)
+    add_test(NAME ${room}.${name}
+      COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/${name}.py"
+        "$<TARGET_FILE:skyline>" "${PROJECT_SOURCE_DIR}/Testing/Data")
+    set_tests_properties(${room}.${name} PROPERTIES LABELS "${room}" TIMEOUT 900 SKIP_RETURN_CODE 77)
+  endforeach ()
 endfunction ()

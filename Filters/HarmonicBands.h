@@ -3,7 +3,7 @@
 #ifndef skyline_HarmonicBands_h
 #define skyline_HarmonicBands_h
 
-#include "SphericalHarmonics.h"
+#include "Harmonics/SphericalHarmonics.h"
 
 #include <stdexcept>
 #include <string>

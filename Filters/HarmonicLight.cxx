@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HarmonicLight.h"
 
-#include "Constants.h"
-#include "LightFit.h"
-#include "SphericalHarmonics.h"
+#include "Harmonics/LightFit.h"
+#include "Harmonics/SphericalHarmonics.h"
+#include "Shared/Constants.h"
 
 #include <algorithm>
 #include <array>

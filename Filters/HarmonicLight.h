@@ -4,7 +4,7 @@
 #define skyline_HarmonicLight_h
 
 #include "LightPasses.h"
-#include "LightTable.h"
+#include "Sky/LightTable.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HorizonCache.h"
 
-#include "Constants.h"
 #include "HorizonScene.h"
+#include "Shared/Constants.h"
 
 #include "vtkSMPTools.h"
 

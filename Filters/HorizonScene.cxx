@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HorizonScene.h"
 
-#include "BaseHeight.h"
-#include "HeightLimits.h"
-#include "HeightPyramid.h"
-#include "MemoryDemand.h"
-#include "Normals.h"
-#include "RayBending.h"
+#include "Data/MemoryDemand.h"
+#include "Data/vtkSkylineGeoreference.h"
+#include "Geo/RayBending.h"
+#include "HeightField/BaseHeight.h"
+#include "HeightField/HeightPyramid.h"
+#include "HeightField/Normals.h"
+#include "Shared/HeightLimits.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
@@ -16,7 +17,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
-#include "vtkSkylineGeoreference.h"
 
 #include <algorithm>
 #include <chrono>

@@ -3,13 +3,13 @@
 #ifndef skyline_HorizonScene_h
 #define skyline_HorizonScene_h
 
-#include "Accumulator.h"
-#include "Doubt.h"
-#include "Georeference.h"
-#include "GroundMetric.h"
-#include "HeightField.h"
-#include "HorizonMethod.h"
-#include "RowSpacing.h"
+#include "Geo/Georeference.h"
+#include "Geo/GroundMetric.h"
+#include "Geo/RowSpacing.h"
+#include "HeightField/HeightField.h"
+#include "Horizon/Accumulator.h"
+#include "Horizon/HorizonMethod.h"
+#include "Shared/Doubt.h"
 #include "SlopeSearch.h"
 
 #include <cstdint>

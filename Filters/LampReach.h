@@ -3,7 +3,7 @@
 #ifndef skyline_LampReach_h
 #define skyline_LampReach_h
 
-#include "Doubt.h"
+#include "Shared/Doubt.h"
 
 #include <array>
 #include <optional>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightPasses.h"
 
-#include "Eclipse.h"
 #include "HorizonScene.h"
-#include "LampIrradiance.h"
-#include "SunAccumulator.h"
-#include "SunField.h"
+#include "Lamps/LampIrradiance.h"
+#include "Sun/Eclipse.h"
+#include "Sun/SunAccumulator.h"
+#include "Sun/SunField.h"
 #include "vtkSkylineKeyLight.h"
 #include "vtkSkylineLampLight.h"
 #include "vtkSkylineSunLight.h"

@@ -3,9 +3,9 @@
 #ifndef skyline_LightPasses_h
 #define skyline_LightPasses_h
 
-#include "Constants.h"
 #include "HorizonCache.h"
-#include "LightAccumulator.h"
+#include "Shared/Constants.h"
+#include "Sky/LightAccumulator.h"
 
 #include <array>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SlopeSearch.h"
 
-#include "Accumulator.h"
-#include "Constants.h"
+#include "Horizon/Accumulator.h"
+#include "Shared/Constants.h"
 
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"

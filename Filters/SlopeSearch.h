@@ -3,9 +3,9 @@
 #ifndef skyline_SlopeSearch_h
 #define skyline_SlopeSearch_h
 
-#include "GroundMetric.h"
-#include "HorizonMethod.h"
-#include "RayFan.h"
+#include "Geo/GroundMetric.h"
+#include "Geo/RayFan.h"
+#include "Horizon/HorizonMethod.h"
 
 #include <cstddef>
 #include <functional>

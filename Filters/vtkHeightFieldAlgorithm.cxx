@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldAlgorithm.h"
 
-#include "Constants.h"
+#include "Data/vtkSkylineWarning.h"
 #include "HorizonScene.h"
+#include "Shared/Constants.h"
 #include "WholeField.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkSkylineWarning.h"
 #include "vtkVersionMacros.h"
 
 #include <exception>

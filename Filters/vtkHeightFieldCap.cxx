@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldCap.h"
 
-#include "ShadowHeightCap.h"
+#include "ShadowHeight/ShadowHeightCap.h"
 #include "WholeField.h"
 #include "vtkDataArray.h"
 #include "vtkGenericCell.h"

@@ -2,8 +2,8 @@
 #include "vtkHeightFieldHorizon.h"
 
 #include "Azimuths.h"
+#include "Horizon/StoreAccumulator.h"
 #include "HorizonScene.h"
-#include "StoreAccumulator.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldInspection.h"
 
-#include "HeightCensus.h"
-#include "LooksLikeDegrees.h"
+#include "Data/vtkSkylineGeoreference.h"
+#include "Data/vtkSkylineWarning.h"
+#include "Geo/LooksLikeDegrees.h"
+#include "HeightField/HeightCensus.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkSkylineGeoreference.h"
-#include "vtkSkylineWarning.h"
 
 #include <array>
 #include <cmath>

@@ -2,9 +2,9 @@
 #include "vtkHeightFieldSkyView.h"
 
 #include "Azimuths.h"
-#include "EdgeTrustAccumulator.h"
+#include "Horizon/EdgeTrustAccumulator.h"
 #include "HorizonScene.h"
-#include "SkyAccumulator.h"
+#include "Sky/SkyAccumulator.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"

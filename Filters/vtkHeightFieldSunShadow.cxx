@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldSunShadow.h"
 
-#include "Eclipse.h"
 #include "HorizonScene.h"
-#include "SunAccumulator.h"
-#include "SunField.h"
+#include "Sun/Eclipse.h"
+#include "Sun/SunAccumulator.h"
+#include "Sun/SunField.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"

@@ -3,9 +3,9 @@
 
 #include "Azimuths.h"
 #include "HarmonicBands.h"
+#include "Harmonics/KeyLight.h"
+#include "Harmonics/VisibilityAccumulator.h"
 #include "HorizonScene.h"
-#include "KeyLight.h"
-#include "VisibilityAccumulator.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"

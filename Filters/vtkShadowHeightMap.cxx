@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowHeightMap.h"
 
+#include "Data/vtkSkylineWarning.h"
 #include "HorizonScene.h"
-#include "ShadowHeight.h"
-#include "ShadowHeightSweep.h"
-#include "SunField.h"
+#include "ShadowHeight/ShadowHeight.h"
+#include "ShadowHeight/ShadowHeightSweep.h"
+#include "Sun/SunField.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkSkylineWarning.h"
 
 #include <algorithm>
 #include <cmath>

@@ -78,7 +78,7 @@ protected:
   bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
 
 #ifndef __VTK_WRAP__
-  /// What finds shadow heights of a light whose rays fall by `slope` metres a metre; a twin on another
+  /// What finds shadow heights of a light whose rays fall by `slope` metres a metre; a filter on another
   /// processor puts its own here.
   virtual std::unique_ptr<skyline::HorizonMethod> MakeMethod(
     skyline::HorizonScene& scene, double slope);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowReceiver.h"
 
-#include "ShadowHeightPenumbra.h"
+#include "ShadowHeight/ShadowHeightPenumbra.h"
 #include "WholeField.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

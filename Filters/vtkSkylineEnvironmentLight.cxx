@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkylineEnvironmentLight.h"
 
-#include "Constants.h"
-#include "LightTable.h"
-#include "SkyModel.h"
-#include "vtkLightMapImage.h"
+#include "Data/vtkLightMapImage.h"
+#include "Shared/Constants.h"
+#include "Sky/LightTable.h"
+#include "Sky/SkyModel.h"
 
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkylineSunLight.h"
 
-#include "BaseHeight.h"
-#include "Eclipse.h"
-#include "SunField.h"
+#include "Data/vtkSkylineGeoreference.h"
+#include "HeightField/BaseHeight.h"
+#include "Sun/Eclipse.h"
+#include "Sun/SunField.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkSkylineGeoreference.h"
 
 #include <exception>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CoordinateSystem.h"
 
-#include "Constants.h"
 #include "GdalErrors.h"
 #include "IoFailure.h"
 #include "LengthUnit.h"
+#include "Shared/Constants.h"
 
 #include "vtkErrorCode.h"
 

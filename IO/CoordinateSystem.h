@@ -3,8 +3,8 @@
 #ifndef skyline_CoordinateSystem_h
 #define skyline_CoordinateSystem_h
 
-#include "Georeference.h"
-#include "RowSpacing.h"
+#include "Geo/Georeference.h"
+#include "Geo/RowSpacing.h"
 
 #include <ogr_spatialref.h>
 

@@ -5,11 +5,11 @@
 #include "BandRows.h"
 #include "Batches.h"
 #include "CheckedVsi.h"
+#include "Data/vtkSkylineGeoreference.h"
 #include "GdalErrors.h"
 #include "GeoTiffCheck.h"
 #include "GeoTiffRows.h"
 #include "TiffBlockTable.h"
-#include "vtkSkylineGeoreference.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"

@@ -3,7 +3,7 @@
 #ifndef skyline_GeoTiffFile_h
 #define skyline_GeoTiffFile_h
 
-#include "Georeference.h"
+#include "Geo/Georeference.h"
 
 #include <functional>
 #include <string>

@@ -4,7 +4,7 @@
 #define skyline_HeightMeaning_h
 
 #include "CoordinateSystem.h"
-#include "Doubt.h"
+#include "Shared/Doubt.h"
 
 #include <gdal_priv.h>
 

@@ -3,7 +3,7 @@
 #ifndef skyline_LightMapFile_h
 #define skyline_LightMapFile_h
 
-#include "LightMap.h"
+#include "Sky/LightMap.h"
 
 #include <functional>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RasterSource.h"
 
-#include "HeightLimits.h"
+#include "Geo/LooksLikeDegrees.h"
+#include "Geo/RowSpacing.h"
 #include "HeightMeaning.h"
 #include "IoFailure.h"
-#include "LooksLikeDegrees.h"
 #include "MissingPosts.h"
-#include "RowSpacing.h"
+#include "Shared/HeightLimits.h"
 
 #include "vtkErrorCode.h"
 #include "vtkSetGet.h"

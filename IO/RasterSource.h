@@ -4,10 +4,10 @@
 #define skyline_RasterSource_h
 
 #include "CoordinateSystem.h"
-#include "Doubt.h"
 #include "GdalErrors.h"
-#include "Georeference.h"
-#include "HeightCensus.h"
+#include "Geo/Georeference.h"
+#include "HeightField/HeightCensus.h"
+#include "Shared/Doubt.h"
 #include "SourceGuard.h"
 
 #include <cpl_conv.h>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldReader.h"
 
+#include "Data/MemoryDemand.h"
+#include "Data/vtkSkylineGeoreference.h"
+#include "Data/vtkSkylineWarning.h"
 #include "IoFailure.h"
-#include "MemoryDemand.h"
 #include "RasterSource.h"
 #include "ReadGuard.h"
 #include "SourceFiles.h"
 #include "SourcePolicy.h"
 #include "StreamSpool.h"
-#include "vtkSkylineGeoreference.h"
-#include "vtkSkylineWarning.h"
 
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLightMapReader.h"
 
+#include "Data/vtkLightMapImage.h"
+#include "Data/vtkSkylineWarning.h"
 #include "ImageLibrary.h"
 #include "ReadGuard.h"
-#include "vtkLightMapImage.h"
-#include "vtkSkylineWarning.h"
 
 #include "vtkErrorCode.h"
 #include "vtkFloatArray.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CameraFit.h"
 
-#include "Constants.h"
+#include "Shared/Constants.h"
 
 #include "vtkCamera.h"
 #include "vtkMath.h"

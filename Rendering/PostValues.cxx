@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PostValues.h"
 
-#include "Normals.h"
+#include "Data/vtkSkylineGeoreference.h"
+#include "HeightField/Normals.h"
 #include "PostTexture.h"
-#include "vtkSkylineGeoreference.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReceiverLight.h"
 
-#include "Constants.h"
 #include "ShaderText.h"
-#include "ShadowHeightPenumbra.h"
+#include "ShadowHeight/ShadowHeightPenumbra.h"
+#include "Shared/Constants.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShaderText.h"
 
-#include "Constants.h"
+#include "Shared/Constants.h"
 
 #include <iomanip>
 #include <limits>

@@ -20,13 +20,13 @@ extern const char* skyline_SoftShadowVS;
 extern const char* skyline_Srgb;
 extern const char* skyline_ToneMap;
 extern const char* skyline_Transfer;
-extern const char* skyline_TwinAngles;
-extern const char* skyline_TwinDecimate;
-extern const char* skyline_TwinExact;
-extern const char* skyline_TwinLight;
-extern const char* skyline_TwinPyramid;
-extern const char* skyline_TwinSpline;
-extern const char* skyline_TwinWedges;
+extern const char* skyline_GpuAngles;
+extern const char* skyline_GpuDecimate;
+extern const char* skyline_GpuExact;
+extern const char* skyline_GpuLight;
+extern const char* skyline_GpuPyramid;
+extern const char* skyline_GpuSpline;
+extern const char* skyline_GpuWedges;
 extern const char* skyline_Visibility;
 
 namespace skyline

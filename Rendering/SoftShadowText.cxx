@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SoftShadowText.h"
 
+#include "Color/ToneMap.h"
 #include "ShaderText.h"
-#include "ToneMap.h"
 
 #include "vtkShaderProgram.h"
 

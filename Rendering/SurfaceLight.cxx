@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceLight.h"
 
-#include "Constants.h"
-#include "HarmonicProduct.h"
+#include "Harmonics/HarmonicProduct.h"
+#include "Shared/Constants.h"
 
 #include <algorithm>
 #include <cmath>

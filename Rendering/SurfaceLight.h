@@ -3,7 +3,7 @@
 #ifndef skyline_SurfaceLight_h
 #define skyline_SurfaceLight_h
 
-#include "SphericalHarmonics.h"
+#include "Harmonics/SphericalHarmonics.h"
 
 #include <array>
 #include <cstddef>

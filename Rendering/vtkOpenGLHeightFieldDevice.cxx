@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOpenGLHeightFieldDevice.h"
 
-#include "TwinDevice.h"
-#include "TwinHorizons.h"
+#include "GpuDevice.h"
+#include "GpuHorizons.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
@@ -10,7 +10,7 @@
 vtkStandardNewMacro(vtkOpenGLHeightFieldDevice);
 
 vtkOpenGLHeightFieldDevice::vtkOpenGLHeightFieldDevice()
-  : Device(std::make_unique<skyline::TwinDevice>())
+  : Device(std::make_unique<skyline::GpuDevice>())
 {
 }
 
@@ -59,14 +59,14 @@ std::string vtkOpenGLHeightFieldDevice::GetName()
   return this->IsAvailable() ? this->Device->Name() : std::string();
 }
 
-skyline::TwinDevice& vtkOpenGLHeightFieldDevice::Twin()
+skyline::GpuDevice& vtkOpenGLHeightFieldDevice::Gpu()
 {
   return *this->Device;
 }
 
-skyline::TwinLimits vtkOpenGLHeightFieldDevice::Limits() const
+skyline::GpuLimits vtkOpenGLHeightFieldDevice::Limits() const
 {
-  skyline::TwinLimits limits;
+  skyline::GpuLimits limits;
   limits.Side = this->TextureLimit;
   limits.Memory = static_cast<std::size_t>(this->MemoryLimit) << 20;
   return limits;

@@ -18,8 +18,8 @@
 
 namespace skyline
 {
-class TwinDevice;
-struct TwinLimits;
+class GpuDevice;
+struct GpuLimits;
 } // namespace skyline
 class vtkRenderWindow;
 
@@ -62,8 +62,8 @@ public:
   vtkGetMacro(Generation, int);
 
 #ifndef __VTK_WRAP__
-  skyline::TwinDevice& Twin(); ///< for the filters
-  skyline::TwinLimits Limits() const;
+  skyline::GpuDevice& Gpu(); ///< for the filters
+  skyline::GpuLimits Limits() const;
 #endif
 
 protected:
@@ -78,7 +78,7 @@ private:
   int MemoryLimit = 1024;
   int Generation = 0;
   std::string Reason;
-  std::unique_ptr<skyline::TwinDevice> Device;
+  std::unique_ptr<skyline::GpuDevice> Device;
 };
 
 #endif

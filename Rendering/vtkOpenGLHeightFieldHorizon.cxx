@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOpenGLHeightFieldHorizon.h"
 
+#include "GpuFilter.h"
+#include "GpuShadows.h"
+#include "Horizon/StoreAccumulator.h"
 #include "HorizonScene.h"
-#include "StoreAccumulator.h"
-#include "TwinFilter.h"
-#include "TwinShadows.h"
 
 #include "vtkObjectFactory.h"
 
@@ -13,8 +13,8 @@
 vtkStandardNewMacro(vtkOpenGLHeightFieldHorizon);
 
 vtkOpenGLHeightFieldHorizon::vtkOpenGLHeightFieldHorizon()
-  : Twin(std::make_unique<skyline::TwinFilter>())
-  , Sweeps(std::make_unique<skyline::TwinShadowSource>())
+  : Gpu(std::make_unique<skyline::GpuFilter>())
+  , Sweeps(std::make_unique<skyline::GpuShadowSource>())
 {
 }
 
@@ -23,32 +23,32 @@ vtkOpenGLHeightFieldHorizon::~vtkOpenGLHeightFieldHorizon() = default;
 void vtkOpenGLHeightFieldHorizon::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "OnDevice: " << this->Twin->OnDevice << "\n";
+  os << indent << "OnDevice: " << this->Gpu->OnDevice << "\n";
 }
 
 void vtkOpenGLHeightFieldHorizon::SetDevice(vtkOpenGLHeightFieldDevice* device)
 {
-  const vtkSmartPointer<vtkOpenGLHeightFieldDevice> before = this->Twin->Device;
-  if (this->Twin->SetDevice(device))
+  const vtkSmartPointer<vtkOpenGLHeightFieldDevice> before = this->Gpu->Device;
+  if (this->Gpu->SetDevice(device))
   {
-    this->Sweeps = std::make_unique<skyline::TwinShadowSource>(); // before its device goes
+    this->Sweeps = std::make_unique<skyline::GpuShadowSource>(); // before its device goes
     this->Modified();
   }
 }
 
 vtkOpenGLHeightFieldDevice* vtkOpenGLHeightFieldHorizon::GetDevice()
 {
-  return this->Twin->Device;
+  return this->Gpu->Device;
 }
 
 bool vtkOpenGLHeightFieldHorizon::IsOnDevice()
 {
-  return this->Twin->OnDevice;
+  return this->Gpu->OnDevice;
 }
 
 vtkMTimeType vtkOpenGLHeightFieldHorizon::GetMTime()
 {
-  return std::max(this->Superclass::GetMTime(), this->Twin->Device->GetMTime());
+  return std::max(this->Superclass::GetMTime(), this->Gpu->Device->GetMTime());
 }
 
 bool vtkOpenGLHeightFieldHorizon::Store(
@@ -57,10 +57,10 @@ bool vtkOpenGLHeightFieldHorizon::Store(
   bool finished = false;
   if (this->Method == SWEEP)
   {
-    this->Twin->OnDevice = false;
+    this->Gpu->OnDevice = false;
     return this->Sweep(scene, azimuths, values);
   }
-  return this->Twin->Store(this, scene, azimuths, values, finished)
+  return this->Gpu->Store(this, scene, azimuths, values, finished)
     ? finished
     : this->Superclass::Store(scene, azimuths, values);
 }
@@ -68,18 +68,18 @@ bool vtkOpenGLHeightFieldHorizon::Store(
 bool vtkOpenGLHeightFieldHorizon::Sweep(
   skyline::HorizonScene& scene, const std::vector<double>& azimuths, float* values)
 {
-  skyline::TwinShadows* passes =
-    this->Sweeps->Open(this, this->Twin->Device, scene.PreparedField(), true);
+  skyline::GpuShadows* passes =
+    this->Sweeps->Open(this, this->Gpu->Device, scene.PreparedField(), true);
   if (!passes)
   {
     return this->Superclass::Store(scene, azimuths, values);
   }
-  skyline::TwinHorizonSweep method(
+  skyline::GpuHorizonSweep method(
     *passes, this->Sweeps->Failure(this), scene.PreparedField(), scene.UsedSettings());
   skyline::StoreAccumulator store(
     scene.Posts().Columns, values, static_cast<std::ptrdiff_t>(azimuths.size()));
   scene.DoubtOneMetric("the sweep", scene.CentreMetric());
   const bool finished = scene.Run(method, azimuths, 0.0, store, skyline::AzimuthAxes::Image);
-  this->Twin->OnDevice = this->Sweeps->OnDevice;
+  this->Gpu->OnDevice = this->Sweeps->OnDevice;
   return finished;
 }

@@ -3,7 +3,7 @@
  * @class   vtkOpenGLHeightFieldHorizon
  * @brief   the horizon all around every post, computed by a graphics processor
  *
- * Twin of vtkHeightFieldHorizon: the same array `HorizonElevation`, which differs by the rounding of
+ * GPU counterpart of vtkHeightFieldHorizon: the same array `HorizonElevation`, which differs by the rounding of
  * floats (Documentation/gpu.md has the bounds). EXACT walks every ray to the edge of the data, without
  * the host's bounds; FAST takes the exact horizons, PYRAMID its own. Height fields above OpenGL's
  * texture limit go tile by tile.
@@ -19,12 +19,12 @@
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkHeightFieldHorizon.h"
 
-#include <memory> // For Twin
+#include <memory> // For Gpu
 
 namespace skyline
 {
-class TwinFilter;
-class TwinShadowSource;
+class GpuFilter;
+class GpuShadowSource;
 } // namespace skyline
 class vtkOpenGLHeightFieldDevice;
 
@@ -60,8 +60,8 @@ private:
 
   bool Sweep(skyline::HorizonScene& scene, const std::vector<double>& azimuths, float* values);
 
-  std::unique_ptr<skyline::TwinFilter> Twin;
-  std::unique_ptr<skyline::TwinShadowSource> Sweeps;
+  std::unique_ptr<skyline::GpuFilter> Gpu;
+  std::unique_ptr<skyline::GpuShadowSource> Sweeps;
 };
 
 #endif

@@ -2,10 +2,10 @@
 #include "vtkOpenGLHeightFieldIrradiance.h"
 
 #include "Azimuths.h"
-#include "Constants.h"
+#include "GpuFilter.h"
 #include "HarmonicLight.h"
 #include "HorizonScene.h"
-#include "TwinFilter.h"
+#include "Shared/Constants.h"
 #include "vtkSkylineLampLight.h"
 
 #include "vtkImageData.h"
@@ -19,9 +19,9 @@ vtkStandardNewMacro(vtkOpenGLHeightFieldIrradiance);
 
 struct vtkOpenGLHeightFieldIrradiance::Internals
 {
-  skyline::TwinFilter Twin;
+  skyline::GpuFilter Gpu;
   std::vector<double> Key; // of the transfer that is there
-  skyline::TwinTexture Lit;
+  skyline::GpuTexture Lit;
 };
 
 vtkOpenGLHeightFieldIrradiance::vtkOpenGLHeightFieldIrradiance()
@@ -37,42 +37,42 @@ void vtkOpenGLHeightFieldIrradiance::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ReadBack: " << this->ReadBack << "\n"
      << indent << "MeasurePasses: " << this->MeasurePasses << "\n"
-     << indent << "OnDevice: " << this->Inside->Twin.OnDevice << "\n";
+     << indent << "OnDevice: " << this->Inside->Gpu.OnDevice << "\n";
 }
 
 void vtkOpenGLHeightFieldIrradiance::SetDevice(vtkOpenGLHeightFieldDevice* device)
 {
-  if (device && device != this->Inside->Twin.Device)
+  if (device && device != this->Inside->Gpu.Device)
   {
     this->Inside->Lit = nullptr; // before its device goes
     this->Inside->Key.clear();
-    this->Inside->Twin.SetDevice(device);
+    this->Inside->Gpu.SetDevice(device);
     this->Modified();
   }
 }
 
 vtkOpenGLHeightFieldDevice* vtkOpenGLHeightFieldIrradiance::GetDevice()
 {
-  return this->Inside->Twin.Device;
+  return this->Inside->Gpu.Device;
 }
 
 bool vtkOpenGLHeightFieldIrradiance::IsOnDevice()
 {
-  return this->Inside->Twin.OnDevice;
+  return this->Inside->Gpu.OnDevice;
 }
 
 vtkTextureObject* vtkOpenGLHeightFieldIrradiance::GetTexture()
 {
-  const skyline::TwinTexture& lit = this->Inside->Lit;
+  const skyline::GpuTexture& lit = this->Inside->Lit;
   return lit && lit->GetHandle() != 0 ? lit.GetPointer() : nullptr;
 }
 
 void vtkOpenGLHeightFieldIrradiance::GetPassSeconds(double seconds[5])
 {
   std::fill_n(seconds, 5, 0.0);
-  if (const skyline::TwinHarmonics* passes = this->Inside->Twin.Passes())
+  if (const skyline::GpuHarmonics* passes = this->Inside->Gpu.Passes())
   {
-    const skyline::TwinTimes& times = passes->Times;
+    const skyline::GpuTimes& times = passes->Times;
     seconds[0] = times.Load;
     seconds[1] = times.Horizons;
     seconds[2] = times.Wedges;
@@ -83,7 +83,7 @@ void vtkOpenGLHeightFieldIrradiance::GetPassSeconds(double seconds[5])
 
 vtkMTimeType vtkOpenGLHeightFieldIrradiance::GetMTime()
 {
-  return std::max(this->Superclass::GetMTime(), this->Inside->Twin.Device->GetMTime());
+  return std::max(this->Superclass::GetMTime(), this->Inside->Gpu.Device->GetMTime());
 }
 
 bool vtkOpenGLHeightFieldIrradiance::HasLamps()
@@ -101,7 +101,7 @@ bool vtkOpenGLHeightFieldIrradiance::HasLamps()
 
 bool vtkOpenGLHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageData* output)
 {
-  this->Inside->Twin.OnDevice = false;
+  this->Inside->Gpu.OnDevice = false;
   this->Inside->Lit = nullptr;
   const bool finished = this->Superclass::Compute(scene, output);
   if (finished && this->Inside->Lit && !this->ReadBack && !this->HasLamps())
@@ -116,28 +116,28 @@ bool vtkOpenGLHeightFieldIrradiance::LightByHarmonics(skyline::HorizonScene& sce
   const skyline::LitPosts& posts)
 {
   using namespace skyline;
-  TwinFilter& twin = this->Inside->Twin;
+  GpuFilter& gpu = this->Inside->Gpu;
   const Grid& grid = scene.Posts();
   const auto count = static_cast<std::size_t>(grid.Columns * grid.Rows);
-  twin.Timed = this->MeasurePasses;
-  if (TwinHarmonics* passes = twin.Passes())
+  gpu.Timed = this->MeasurePasses;
+  if (GpuHarmonics* passes = gpu.Passes())
   {
-    passes->Times = TwinTimes();
+    passes->Times = GpuTimes();
     passes->Times.Wanted = this->MeasurePasses;
   }
-  if (!twin.Ready() || key != this->Inside->Key)
+  if (!gpu.Ready() || key != this->Inside->Key)
   {
     this->Inside->Key.clear();
     const std::vector<float> level(this->Horizontal ? count : 0, 0.0f);
     const std::vector<double> azimuths = EvenAzimuths(this->NumberOfAzimuths);
-    TwinHarmonics::Task task;
+    GpuHarmonics::Task task;
     task.Bands = this->HarmonicBands;
     task.Azimuths = &azimuths;
     task.Width = 2.0 * Pi / this->NumberOfAzimuths;
     task.East = this->Horizontal ? level.data() : posts.East;
     task.North = this->Horizontal ? level.data() : posts.North;
     bool finished = false;
-    if (!twin.Run(this, scene, task, false, finished))
+    if (!gpu.Run(this, scene, task, false, finished))
     {
       return this->Superclass::LightByHarmonics(scene, light, key, posts);
     }
@@ -149,17 +149,17 @@ bool vtkOpenGLHeightFieldIrradiance::LightByHarmonics(skyline::HorizonScene& sce
     }
     this->Inside->Key = key;
   }
-  twin.OnDevice = true;
-  if (!twin.OneTile)
+  gpu.OnDevice = true;
+  if (!gpu.OneTile)
   {
-    light.Light(twin.Values.data(), 0, static_cast<vtkIdType>(count), posts.Irradiance);
+    light.Light(gpu.Values.data(), 0, static_cast<vtkIdType>(count), posts.Irradiance);
     return true;
   }
-  this->Inside->Lit = twin.Passes()->Light(light.GetCoefficients());
+  this->Inside->Lit = gpu.Passes()->Light(light.GetCoefficients());
   if (this->ReadBack || this->HasLamps())
   {
     std::vector<float> texels(4 * count);
-    twin.Passes()->ReadImage(this->Inside->Lit, texels.data());
+    gpu.Passes()->ReadImage(this->Inside->Lit, texels.data());
     for (std::size_t post = 0; post < count; ++post)
     {
       for (std::size_t c = 0; c < 3; ++c)

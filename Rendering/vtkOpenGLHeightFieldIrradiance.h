@@ -3,7 +3,7 @@
  * @class   vtkOpenGLHeightFieldIrradiance
  * @brief   the light that falls on every post, computed by a graphics processor
  *
- * Twin of vtkHeightFieldIrradiance for LightMethod HARMONICS, its default: the same array
+ * GPU counterpart of vtkHeightFieldIrradiance for LightMethod HARMONICS, its default: the same array
  * `Irradiance`, which differs by the rounding of floats (Documentation/gpu.md has the bounds). The
  * transfer of the posts stays there: a changed light costs one pass. Horizons are those of Method
  * PYRAMID or EXACT; FAST takes the exact ones.
@@ -21,7 +21,7 @@
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkHeightFieldIrradiance.h"
 
-#include <memory> // For Twin
+#include <memory> // For Gpu
 
 class vtkOpenGLHeightFieldDevice;
 class vtkTextureObject;

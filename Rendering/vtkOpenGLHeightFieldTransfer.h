@@ -3,7 +3,7 @@
  * @class   vtkOpenGLHeightFieldTransfer
  * @brief   how every post turns distant light into irradiance, computed by a graphics processor
  *
- * Twin of vtkHeightFieldTransfer: the same array `TransferSH`, which differs by the rounding of floats
+ * GPU counterpart of vtkHeightFieldTransfer: the same array `TransferSH`, which differs by the rounding of floats
  * (Documentation/gpu.md has the bounds). Horizons are those of Method PYRAMID or EXACT; FAST takes the
  * exact ones. With ReadBack off no array is made: the coefficients stay in textures.
  *
@@ -16,11 +16,11 @@
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkHeightFieldTransfer.h"
 
-#include <memory> // For Twin
+#include <memory> // For Gpu
 
 namespace skyline
 {
-class TwinFilter;
+class GpuFilter;
 }
 class vtkOpenGLHeightFieldDevice;
 class vtkTextureObject;
@@ -69,7 +69,7 @@ private:
   void operator=(const vtkOpenGLHeightFieldTransfer&) = delete;
 
   bool ReadBack = true;
-  std::unique_ptr<skyline::TwinFilter> Twin;
+  std::unique_ptr<skyline::GpuFilter> Gpu;
 };
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOpenGLHeightFieldVisibility.h"
 
-#include "TwinFilter.h"
+#include "GpuFilter.h"
 
 #include "vtkObjectFactory.h"
 
@@ -10,7 +10,7 @@
 vtkStandardNewMacro(vtkOpenGLHeightFieldVisibility);
 
 vtkOpenGLHeightFieldVisibility::vtkOpenGLHeightFieldVisibility()
-  : Twin(std::make_unique<skyline::TwinFilter>())
+  : Gpu(std::make_unique<skyline::GpuFilter>())
 {
 }
 
@@ -20,12 +20,12 @@ void vtkOpenGLHeightFieldVisibility::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ReadBack: " << this->ReadBack << "\n"
-     << indent << "OnDevice: " << this->Twin->OnDevice << "\n";
+     << indent << "OnDevice: " << this->Gpu->OnDevice << "\n";
 }
 
 void vtkOpenGLHeightFieldVisibility::SetDevice(vtkOpenGLHeightFieldDevice* device)
 {
-  if (this->Twin->SetDevice(device))
+  if (this->Gpu->SetDevice(device))
   {
     this->Modified();
   }
@@ -33,28 +33,28 @@ void vtkOpenGLHeightFieldVisibility::SetDevice(vtkOpenGLHeightFieldDevice* devic
 
 vtkOpenGLHeightFieldDevice* vtkOpenGLHeightFieldVisibility::GetDevice()
 {
-  return this->Twin->Device;
+  return this->Gpu->Device;
 }
 
 bool vtkOpenGLHeightFieldVisibility::IsOnDevice()
 {
-  return this->Twin->OnDevice;
+  return this->Gpu->OnDevice;
 }
 
 vtkTextureObject* vtkOpenGLHeightFieldVisibility::GetTexture(int index)
 {
-  return this->Twin->Image(index);
+  return this->Gpu->Image(index);
 }
 
 vtkMTimeType vtkOpenGLHeightFieldVisibility::GetMTime()
 {
-  return std::max(this->Superclass::GetMTime(), this->Twin->Device->GetMTime());
+  return std::max(this->Superclass::GetMTime(), this->Gpu->Device->GetMTime());
 }
 
 bool vtkOpenGLHeightFieldVisibility::Compute(skyline::HorizonScene& scene, vtkImageData* output)
 {
   const bool finished = this->Superclass::Compute(scene, output);
-  this->Twin->RemoveUnread(output, "VisibilitySH");
+  this->Gpu->RemoveUnread(output, "VisibilitySH");
   return finished;
 }
 
@@ -63,8 +63,8 @@ bool vtkOpenGLHeightFieldVisibility::Sum(skyline::HorizonScene& scene,
   float* values)
 {
   bool finished = false;
-  return this->Twin->Run(this, scene,
-           { this->NumberOfBands, &azimuths, width, east, north, values }, this->ReadBack, finished)
+  return this->Gpu->Run(this, scene, { this->NumberOfBands, &azimuths, width, east, north, values },
+           this->ReadBack, finished)
     ? finished
     : this->Superclass::Sum(scene, azimuths, width, east, north, values);
 }

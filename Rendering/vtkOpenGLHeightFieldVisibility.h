@@ -3,7 +3,7 @@
  * @class   vtkOpenGLHeightFieldVisibility
  * @brief   the sky that every post sees, computed by a graphics processor
  *
- * Twin of vtkHeightFieldVisibility: the same array `VisibilitySH`, which differs by the rounding of floats
+ * GPU counterpart of vtkHeightFieldVisibility: the same array `VisibilitySH`, which differs by the rounding of floats
  * (Documentation/gpu.md has the bounds). Horizons are those of Method PYRAMID or EXACT; FAST takes the
  * exact ones. With ReadBack off no array is made: the coefficients stay in textures.
  *
@@ -16,11 +16,11 @@
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkHeightFieldVisibility.h"
 
-#include <memory> // For Twin
+#include <memory> // For Gpu
 
 namespace skyline
 {
-class TwinFilter;
+class GpuFilter;
 }
 class vtkOpenGLHeightFieldDevice;
 class vtkTextureObject;
@@ -69,7 +69,7 @@ private:
   void operator=(const vtkOpenGLHeightFieldVisibility&) = delete;
 
   bool ReadBack = true;
-  std::unique_ptr<skyline::TwinFilter> Twin;
+  std::unique_ptr<skyline::GpuFilter> Gpu;
 };
 
 #endif

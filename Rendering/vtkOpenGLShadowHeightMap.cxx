@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOpenGLShadowHeightMap.h"
 
+#include "GpuShadows.h"
 #include "HorizonScene.h"
-#include "TwinShadows.h"
 #include "vtkOpenGLHeightFieldDevice.h"
 
 #include "vtkObjectFactory.h"
@@ -13,7 +13,7 @@ vtkStandardNewMacro(vtkOpenGLShadowHeightMap);
 
 vtkOpenGLShadowHeightMap::vtkOpenGLShadowHeightMap()
   : Device(vtkSmartPointer<vtkOpenGLHeightFieldDevice>::New())
-  , Source(std::make_unique<skyline::TwinShadowSource>())
+  , Source(std::make_unique<skyline::GpuShadowSource>())
 {
 }
 
@@ -32,7 +32,7 @@ void vtkOpenGLShadowHeightMap::SetDevice(vtkOpenGLHeightFieldDevice* device)
 {
   if (device && device != this->Device)
   {
-    this->Source = std::make_unique<skyline::TwinShadowSource>();
+    this->Source = std::make_unique<skyline::GpuShadowSource>();
     this->Device = device;
     this->Modified();
   }
@@ -71,12 +71,12 @@ std::unique_ptr<skyline::HorizonMethod> vtkOpenGLShadowHeightMap::MakeMethod(
   {
     return this->Superclass::MakeMethod(scene, slope);
   }
-  const skyline::TwinFailure failure = this->Source->Failure(this);
+  const skyline::GpuFailure failure = this->Source->Failure(this);
   if (this->Method == SWEEP)
   {
-    return std::make_unique<skyline::TwinShadowSweep>(
+    return std::make_unique<skyline::GpuShadowSweep>(
       *this->Passes, failure, scene.PreparedField(), slope);
   }
-  return std::make_unique<skyline::TwinShadowExact>(
+  return std::make_unique<skyline::GpuShadowExact>(
     *this->Passes, failure, scene.PreparedField(), slope, scene.UsedSettings().Sink);
 }

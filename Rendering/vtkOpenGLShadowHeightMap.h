@@ -3,7 +3,7 @@
  * @class   vtkOpenGLShadowHeightMap
  * @brief   how high the shadow of the terrain stands over every post, computed by a graphics processor
  *
- * Twin of vtkShadowHeightMap: the same settings and arrays, which differ by the rounding of floats.
+ * GPU counterpart of vtkShadowHeightMap: the same settings and arrays, which differ by the rounding of floats.
  * EXACT and FAST walk every ray by a fragment shader until it has passed the highest post. SWEEP, Lee &
  * Kim's recurrence, is a compute shader (OpenGL 4.3): work groups carry a stretch of a line each through
  * shared memory, 64 lines a run; without compute shaders the host runs it, without an error. Heights
@@ -23,8 +23,8 @@
 
 namespace skyline
 {
-class TwinShadows;
-class TwinShadowSource;
+class GpuShadows;
+class GpuShadowSource;
 } // namespace skyline
 class vtkOpenGLHeightFieldDevice;
 
@@ -63,8 +63,8 @@ private:
   void operator=(const vtkOpenGLShadowHeightMap&) = delete;
 
   vtkSmartPointer<vtkOpenGLHeightFieldDevice> Device;
-  std::unique_ptr<skyline::TwinShadowSource> Source;
-  skyline::TwinShadows* Passes = nullptr; // of the execution
+  std::unique_ptr<skyline::GpuShadowSource> Source;
+  skyline::GpuShadows* Passes = nullptr; // of the execution
 };
 
 #endif

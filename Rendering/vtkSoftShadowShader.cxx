@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSoftShadowShader.h"
 
-#include "Constants.h"
 #include "PostTexture.h"
 #include "PostValues.h"
 #include "ReceiverLight.h"
 #include "ShaderText.h"
+#include "Shared/Constants.h"
 #include "SoftShadowText.h"
 #include "SurfaceLight.h"
 #include "VertexRow.h"

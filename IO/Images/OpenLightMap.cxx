@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OpenLightMap.h"
 
-#include "CubeMap.h"
 #include "IoFailure.h"
 #include "NoImageThreads.h"
+#include "Sky/CubeMap.h"
 
 #include "vtkErrorCode.h"
 #include "vtkSMPTools.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MemoryDemand.h"
+#include "Data/MemoryDemand.h"
 
 #include <algorithm>
 #include <cmath>

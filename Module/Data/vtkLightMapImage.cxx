@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkLightMapImage.h"
+#include "Data/vtkLightMapImage.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"

@@ -3,7 +3,7 @@
 #ifndef vtkLightMapImage_h
 #define vtkLightMapImage_h
 
-#include "LightMap.h"
+#include "Sky/LightMap.h"
 
 class vtkImageData;
 

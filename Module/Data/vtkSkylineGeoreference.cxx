@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSkylineGeoreference.h"
+#include "Data/vtkSkylineGeoreference.h"
 
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"

@@ -3,7 +3,7 @@
 #ifndef vtkSkylineGeoreference_h
 #define vtkSkylineGeoreference_h
 
-#include "Georeference.h"
+#include "Geo/Georeference.h"
 
 class vtkDataObject;
 class vtkImageData;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSkylineWarning.h"
+#include "Data/vtkSkylineWarning.h"
 
 #include "vtkObject.h"
 #include "vtkSetGet.h"

@@ -3,7 +3,7 @@
 #ifndef vtkSkylineWarning_h
 #define vtkSkylineWarning_h
 
-#include "Doubt.h"
+#include "Shared/Doubt.h"
 
 class vtkObject;
 

@@ -3,7 +3,7 @@
 #ifndef skyline_Azimuth_h
 #define skyline_Azimuth_h
 
-#include "Constants.h"
+#include "Shared/Constants.h"
 
 #include <cmath>
 

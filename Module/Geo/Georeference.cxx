@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Georeference.h"
+#include "Geo/Georeference.h"
 
-#include "Azimuth.h"
-#include "Constants.h"
+#include "Geo/Azimuth.h"
+#include "Shared/Constants.h"
 
 #include <algorithm>
 #include <array>

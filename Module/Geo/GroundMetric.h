@@ -3,8 +3,8 @@
 #ifndef skyline_GroundMetric_h
 #define skyline_GroundMetric_h
 
-#include "Georeference.h"
-#include "RowSpacing.h"
+#include "Geo/Georeference.h"
+#include "Geo/RowSpacing.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "RayBending.h"
+#include "Geo/RayBending.h"
 
-#include "Azimuth.h"
+#include "Geo/Azimuth.h"
 
 #include <GeographicLib/Geodesic.hpp>
 

@@ -3,7 +3,7 @@
 #ifndef skyline_RayBending_h
 #define skyline_RayBending_h
 
-#include "Georeference.h"
+#include "Geo/Georeference.h"
 
 namespace skyline
 {

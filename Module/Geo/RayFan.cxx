@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "RayFan.h"
+#include "Geo/RayFan.h"
 
-#include "Constants.h"
+#include "Shared/Constants.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #ifndef skyline_RayFan_h
 #define skyline_RayFan_h
 
-#include "GroundMetric.h"
+#include "Geo/GroundMetric.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "RowSpacing.h"
+#include "Geo/RowSpacing.h"
 
-#include "Constants.h"
-#include "GroundMetric.h"
+#include "Geo/GroundMetric.h"
+#include "Shared/Constants.h"
 
 #include <GeographicLib/Geodesic.hpp>
 

@@ -3,7 +3,7 @@
 #ifndef skyline_RowSpacing_h
 #define skyline_RowSpacing_h
 
-#include "Georeference.h"
+#include "Geo/Georeference.h"
 
 namespace skyline
 {

@@ -24,7 +24,7 @@ constexpr float MissingHeight = -1.0e30f;
 constexpr double TerrestrialRefraction = 0.13;
 
 /// Of atan z, 0 <= z <= 1: z + z q p(q) with q = z z, the coefficients of p from the highest power;
-/// a minimax fit, for FastMath-inl.h and TwinAngles.glsl.
+/// a minimax fit, for FastMath-inl.h and GpuAngles.glsl.
 constexpr float AngleTerms[8] = { 2.622244414e-03f, -1.513253618e-02f, 4.112185910e-02f,
   -7.366705686e-02f, 1.057393178e-01f, -1.418597549e-01f, 1.999039650e-01f, -3.333298564e-01f };
 

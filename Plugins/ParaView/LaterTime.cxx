@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LaterTime.h"
 
-#include "UtcTime.h"
+#include "Sun/UtcTime.h"
 
 #include <cmath>
 #include <ctime>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVHeightFieldIrradiance.h"
 
-#include "Constants.h"
 #include "LaterTime.h"
 #include "LightPasses.h"
+#include "Shared/Constants.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSoftShadowRepresentation.h"
 
-#include "Constants.h"
+#include "Color/ToneMap.h"
 #include "HarmonicLight.h"
 #include "LightCargo.h"
-#include "ToneMap.h"
+#include "Shared/Constants.h"
 #include "vtkHeightFieldShading.h"
 #include "vtkSoftShadowCompositeMapper.h"
 #include "vtkSoftShadowGeometry.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shadow heights from every edge that a ray meets: the walk of TwinExact.glsl, whose weights then sum
+// Shadow heights from every edge that a ray meets: the walk of GpuExact.glsl, whose weights then sum
 // to 1 and whose sinks are the falls of the light. It comes before this text.
 uniform ivec2 area; // the first post
 void main()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rasters on many maps, far from where these are true, for the tests of distances and azimuths.
-#ifndef skyline_Testing_GroundCases_h
-#define skyline_Testing_GroundCases_h
+#ifndef skyline_GroundCases_h
+#define skyline_GroundCases_h
 
 #include <string>
 #include <vector>

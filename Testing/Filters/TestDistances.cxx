@@ -3,10 +3,10 @@
 // table of Documentation/distances.md.
 #include "GroundCases.h"
 
-#include "Constants.h"
+#include "Data/vtkSkylineGeoreference.h"
 #include "HorizonScene.h"
+#include "Shared/Constants.h"
 #include "vtkHeightFieldReader.h"
-#include "vtkSkylineGeoreference.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"

@@ -2,13 +2,13 @@
 // Bad input: one line that says what is wrong, and an empty output. Abort and progress.
 #include "FilterTesting.h"
 
+#include "Data/vtkSkylineGeoreference.h"
 #include "vtkCallbackCommand.h"
 #include "vtkExtractVOI.h"
 #include "vtkHeightFieldHorizon.h"
 #include "vtkHeightFieldSkyView.h"
 #include "vtkHeightFieldSunShadow.h"
 #include "vtkPointData.h"
-#include "vtkSkylineGeoreference.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTesting.h"
 
+#include "Data/vtkSkylineGeoreference.h"
 #include "vtkHeightFieldHorizon.h"
 #include "vtkHeightFieldReader.h"
 #include "vtkHeightFieldSkyView.h"
 #include "vtkIntArray.h"
 #include "vtkSMPTools.h"
 #include "vtkShortArray.h"
-#include "vtkSkylineGeoreference.h"
 
 #include <gdal.h>
 #include <gtest/gtest.h>

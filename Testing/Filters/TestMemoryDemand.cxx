@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the machine cannot hold is refused before any work, by its bytes and with a cure.
+#include "Data/MemoryDemand.h"
 #include "FilterTesting.h"
-#include "MemoryDemand.h"
 
 #include "vtkHeightFieldHorizon.h"
 #include "vtkUnsignedCharArray.h"

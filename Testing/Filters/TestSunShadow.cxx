@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Constants.h"
 #include "FilterTesting.h"
+#include "Shared/Constants.h"
 
 #include "vtkHeightFieldReader.h"
 #include "vtkHeightFieldSunShadow.h"

@@ -3,8 +3,8 @@
 #ifndef skyline_IoTesting_h
 #define skyline_IoTesting_h
 
+#include "Data/vtkSkylineGeoreference.h"
 #include "vtkHeightFieldReader.h"
-#include "vtkSkylineGeoreference.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"

@@ -2,7 +2,7 @@
 // Where the posts lie: spacing, bodies, longitudes, convergence.
 #include "IoTesting.h"
 
-#include "Constants.h"
+#include "Shared/Constants.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #ifndef skyline_HorizonBounds_h
 #define skyline_HorizonBounds_h
 
-#include "HorizonTesting.h"
+#include "Reference/OracleTerrain.h"
 
 #include <algorithm>
 #include <cmath>

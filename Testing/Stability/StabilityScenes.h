@@ -3,7 +3,7 @@
 #ifndef skyline_StabilityScenes_h
 #define skyline_StabilityScenes_h
 
-#include "Shapes.h"
+#include "Reference/Shapes.h"
 
 #include <cmath>
 #include <cstddef>

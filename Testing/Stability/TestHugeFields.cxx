@@ -3,10 +3,10 @@
 // 40000 x 40000, in 14 GB; consumers over memory
 // that is reserved but touched only where a post is written; and a whole filter over 40000 x 40000 posts,
 // in 16 GB. Closed forms: level ground inside straight crests.
-#include "HorizonTesting.h"
-#include "MemoryDemand.h"
-#include "SkyAccumulator.h"
-#include "StoreAccumulator.h"
+#include "Data/MemoryDemand.h"
+#include "Horizon/StoreAccumulator.h"
+#include "Reference/OracleTerrain.h"
+#include "Sky/SkyAccumulator.h"
 
 #include "vtkFloatArray.h"
 #include "vtkHeightFieldHorizon.h"

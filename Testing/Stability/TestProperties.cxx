@@ -2,12 +2,12 @@
 // Random fields, azimuths and lights: what must hold for all of them. A failure prints the field, made
 // as small as rapidcheck can, and the seed that repeats it (RC_PARAMS).
 #include "FloatGuard.h"
+#include "HeightField/Normals.h"
 #include "HorizonBounds.h"
-#include "Normals.h"
-#include "SkyAccumulator.h"
-#include "SunAccumulator.h"
-#include "SunDisc.h"
-#include "VisibilityWedge.h"
+#include "Reference/VisibilityWedge.h"
+#include "Sky/SkyAccumulator.h"
+#include "Sun/SunAccumulator.h"
+#include "Sun/SunDisc.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -4,7 +4,7 @@
 #include "HorizonBounds.h"
 #include "StabilityScenes.h"
 
-#include "../Filters/FilterTesting.h"
+#include "Testing/Filters/FilterTesting.h"
 
 #include "vtkHeightFieldHorizon.h"
 #include "vtkHeightFieldIrradiance.h"

@@ -2,17 +2,17 @@
 // Every kernel of horizons and light on every extreme field: within its bound of the oracle, energy
 // conserved, and no invalid operation, overflow or division by zero on the way.
 #include "FloatGuard.h"
+#include "Harmonics/VisibilityAccumulator.h"
+#include "HeightField/Normals.h"
+#include "Horizon/StoreAccumulator.h"
 #include "HorizonBounds.h"
-#include "LampIrradiance.h"
-#include "LightAccumulator.h"
-#include "Normals.h"
-#include "ShadowHeight.h"
-#include "ShadowHeightSweep.h"
-#include "SkyAccumulator.h"
+#include "Lamps/LampIrradiance.h"
+#include "ShadowHeight/ShadowHeight.h"
+#include "ShadowHeight/ShadowHeightSweep.h"
+#include "Sky/LightAccumulator.h"
+#include "Sky/SkyAccumulator.h"
 #include "StabilityScenes.h"
-#include "StoreAccumulator.h"
-#include "SunAccumulator.h"
-#include "VisibilityAccumulator.h"
+#include "Sun/SunAccumulator.h"
 
 #include <gtest/gtest.h>
 

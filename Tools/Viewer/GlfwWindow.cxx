@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GlfwWindow.h"
 
-#include "../Failure.h"
-#include "../Interrupt.h"
+#include "Failure.h"
+#include "Interrupt.h"
 #include "Viewer.h"
 #include "ViewerInput.h"
 

@@ -3,7 +3,7 @@
 #ifndef skyline_GlfwWindow_h
 #define skyline_GlfwWindow_h
 
-#include "../Passes.h"
+#include "Passes.h"
 
 #include "vtkSmartPointer.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Hud.h"
 
-#include "Constants.h"
+#include "Shared/Constants.h"
 
 #include "vtkActor2D.h"
 #include "vtkCellArray.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LampPreview.h"
 
-#include "Lamp.h"
-#include "Normals.h"
+#include "HeightField/Normals.h"
+#include "Lamps/Lamp.h"
 #include "ViewerState.h"
 
 #include "vtkDataArray.h"

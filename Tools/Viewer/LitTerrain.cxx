@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LitTerrain.h"
 
-#include "../Passes.h"
-#include "Constants.h"
 #include "Exposure.h"
 #include "HeightRay.h"
+#include "Passes.h"
+#include "Shared/Constants.h"
+#include "Sky/ZonalSky.h"
 #include "Twilight.h"
-#include "ZonalSky.h"
 
 #include "vtkCommand.h"
 #include "vtkFloatArray.h"

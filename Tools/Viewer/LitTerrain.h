@@ -3,11 +3,11 @@
 #ifndef skyline_LitTerrain_h
 #define skyline_LitTerrain_h
 
-#include "../Options.h"
-#include "../SkyNames.h"
-#include "../SunLight.h"
+#include "Color/ToneMap.h"
 #include "LampPreview.h"
-#include "ToneMap.h"
+#include "Options.h"
+#include "SkyNames.h"
+#include "SunLight.h"
 #include "ViewerState.h"
 
 #include "vtkSmartPointer.h"

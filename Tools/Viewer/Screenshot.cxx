@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Screenshot.h"
 
-#include "../Failure.h"
-#include "../Passes.h"
-#include "../TerrainActors.h"
+#include "Color/ToneMap.h"
+#include "Failure.h"
+#include "Passes.h"
 #include "SkyDome.h"
-#include "ToneMap.h"
+#include "TerrainActors.h"
 
 #include "vtkCameraPass.h"
 #include "vtkFloatArray.h"

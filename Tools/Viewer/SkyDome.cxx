@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SkyDome.h"
 
-#include "Constants.h"
+#include "Shared/Constants.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

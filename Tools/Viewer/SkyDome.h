@@ -3,8 +3,8 @@
 #ifndef skyline_SkyDome_h
 #define skyline_SkyDome_h
 
+#include "Color/ToneMap.h"
 #include "SkyImage.h"
-#include "ToneMap.h"
 
 #include "vtkSmartPointer.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SkyImage.h"
 
-#include "Constants.h"
-#include "LightTable.h"
-#include "ZonalSky.h"
+#include "Shared/Constants.h"
+#include "Sky/LightTable.h"
+#include "Sky/ZonalSky.h"
 
 #include "vtkSkylineEnvironmentLight.h"
 

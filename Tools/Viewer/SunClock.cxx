@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SunClock.h"
 
-#include "UtcTime.h"
+#include "Sun/UtcTime.h"
 
 #include <algorithm>
 #include <cmath>

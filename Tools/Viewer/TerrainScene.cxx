@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TerrainScene.h"
 
-#include "../Failure.h"
-#include "../TerrainActors.h"
 #include "CameraFit.h"
-#include "Constants.h"
+#include "Failure.h"
+#include "Shared/Constants.h"
+#include "TerrainActors.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

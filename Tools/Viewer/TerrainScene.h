@@ -3,9 +3,9 @@
 #ifndef skyline_TerrainScene_h
 #define skyline_TerrainScene_h
 
+#include "Color/ToneMap.h"
 #include "HeightRay.h"
 #include "SkyDome.h"
-#include "ToneMap.h"
 #include "ViewerState.h"
 
 #include "vtkSmartPointer.h"

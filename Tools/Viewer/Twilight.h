@@ -3,7 +3,7 @@
 #ifndef skyline_Twilight_h
 #define skyline_Twilight_h
 
-#include "Daylight.h"
+#include "Color/Daylight.h"
 
 namespace skyline
 {

@@ -2,8 +2,8 @@
 // The viewer's terrain, and what events do; ViewerFrame.cxx draws.
 #include "Viewer.h"
 
-#include "../Failure.h"
-#include "ColorMaps.h"
+#include "Color/ColorMaps.h"
+#include "Failure.h"
 #include "IoFailure.h"
 #include "ThinTerrain.h"
 #include "ViewerStatus.h"

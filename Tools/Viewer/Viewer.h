@@ -3,11 +3,11 @@
 #ifndef skyline_Viewer_h
 #define skyline_Viewer_h
 
-#include "../Files.h"
-#include "../Options.h"
+#include "Files.h"
 #include "Hud.h"
 #include "HudLayout.h"
 #include "LitTerrain.h"
+#include "Options.h"
 #include "TerrainScene.h"
 #include "ViewerLights.h"
 #include "ViewerMouse.h"

@@ -2,7 +2,7 @@
 // The viewer from one picture to the next: what is computed, and when.
 #include "Viewer.h"
 
-#include "../Failure.h"
+#include "Failure.h"
 #include "IoFailure.h"
 #include "Screenshot.h"
 #include "ViewerStatus.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerLights.h"
 
-#include "ColorMaps.h"
+#include "Color/ColorMaps.h"
 #include "HeightRay.h"
 
 #include "vtkImageData.h"

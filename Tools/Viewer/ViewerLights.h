@@ -3,8 +3,8 @@
 #ifndef skyline_ViewerLights_h
 #define skyline_ViewerLights_h
 
-#include "../Files.h"
-#include "../Lights.h"
+#include "Files.h"
+#include "Lights.h"
 #include "LitTerrain.h"
 #include "ViewerState.h"
 

@@ -3,8 +3,8 @@
 #ifndef skyline_ViewerStatus_h
 #define skyline_ViewerStatus_h
 
-#include "../SunLight.h"
 #include "LitTerrain.h"
+#include "SunLight.h"
 #include "ViewerState.h"
 
 #include <string>

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How much air light passes on its way down.
+#ifndef skyline_AirMass_h
+#define skyline_AirMass_h
+
+#include "Shared/Constants.h"
+
+#include <cmath>
+
+namespace skyline
+{
+
+/// Relative path of light through the air at an apparent elevation in degrees, 1 at the zenith.
+/// Kasten and Young, Applied Optics 28 (1989), eq. 3; below the horizon, its value there.
+inline double AirMass(double elevation)
+{
+  const double e = elevation > 0.0 ? elevation : 0.0;
+  return 1.0 / (std::sin(e * RadiansPerDegree) + 0.50572 * std::pow(e + 6.07995, -1.6364));
+}
+
+} // namespace skyline
+
+#endif

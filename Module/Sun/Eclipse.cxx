@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sun/Eclipse.h"
+
+#include "Geo/LatticePlace.h"
+#include "Shared/Constants.h"
+#include "Sun/Astronomy.h"
+#include "Sun/CoveredDisc.h"
+#include "Sun/SunPosition.h"
+
+#include <erfa.h>
+#include <erfam.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace skyline
+{
+namespace
+{
+
+/// Nodes along a side of the first and of the finest lattice, as in SunField.
+constexpr std::ptrdiff_t FirstSide = 5;
+constexpr std::ptrdiff_t LastSide = 257;
+
+/// Sun and Moon can touch for some place when the Earth's centre sees their centres closer than this,
+/// radians: the Moon's greatest parallax (1.03 degrees) and both greatest radii (0.28 and 0.27).
+constexpr double FarthestEclipse = 1.6 * RadiansPerDegree;
+
+using Vector = std::array<double, 3>;
+
+double Length(const Vector& v)
+{
+  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+Vector Minus(const Vector& a, const Vector& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+SunAndMoon See(const Vector& sun, const Vector& moon)
+{
+  const double toSun = Length(sun), toMoon = Length(moon);
+  const double sunRadius = SolarRadius / toSun;
+  SunAndMoon seen;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    seen.Offset[axis] = (moon[axis] / toMoon - sun[axis] / toSun) / sunRadius;
+  }
+  seen.Cover = LunarRadius / toMoon / sunRadius;
+  return seen;
+}
+
+SunAndMoon Mix(const SunAndMoon& a, const SunAndMoon& b, double fraction)
+{
+  const double rest = 1.0 - fraction;
+  SunAndMoon mixed;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    mixed.Offset[axis] = rest * a.Offset[axis] + fraction * b.Offset[axis];
+  }
+  mixed.Cover = rest * a.Cover + fraction * b.Cover;
+  return mixed;
+}
+
+/// How far the rims of both are apart in two views, in radii of the sun.
+double Difference(const SunAndMoon& a, const SunAndMoon& b)
+{
+  return Length(Minus(a.Offset, b.Offset)) + std::abs(a.Cover - b.Cover);
+}
+
+} // namespace
+
+double SunAndMoon::Distance() const
+{
+  return Length(this->Offset);
+}
+
+double SunAndMoon::Magnitude() const
+{
+  return CoveredMagnitude(this->Distance(), this->Cover);
+}
+
+double SunAndMoon::Obscuration(double limbDarkening) const
+{
+  return CoveredShare(this->Distance(), this->Cover, limbDarkening);
+}
+
+EclipseEphemeris::EclipseEphemeris(const UtcTime& time, double ut1MinusUtc)
+  : Sun(SunEphemeris(time, ut1MinusUtc).FromEarthCentre())
+{
+  const AstronomicalTimes times = ConvertUtc(time, ut1MinusUtc);
+  double moon[2][3];
+  eraMoon98(times.Tt1, times.Tt2, moon);
+  const double light = eraPm(moon[0]) * ERFA_AULT / ERFA_DAYSEC; // days
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    moon[0][axis] -= light * moon[1][axis];
+  }
+  double toTerrestrial[3][3], fixed[3];
+  CelestialToTerrestrial(times, toTerrestrial);
+  eraRxp(toTerrestrial, moon[0], fixed);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    this->Moon[axis] = ERFA_DAU * fixed[axis];
+  }
+  double sun[3] = { this->Sun[0], this->Sun[1], this->Sun[2] };
+  this->Near = eraSepp(sun, fixed) < FarthestEclipse;
+}
+
+SunAndMoon EclipseEphemeris::At(double longitude, double latitude, double height) const
+{
+  const Vector place = FromEarthCentre(longitude, latitude, height);
+  return See(Minus(this->Sun, place), Minus(this->Moon, place));
+}
+
+EclipseField::EclipseField(const Georeference& place, const UtcTime& time, double meanHeight)
+{
+  if (!place.OnBody() || !place.Earth)
+  {
+    return;
+  }
+  const EclipseEphemeris ephemeris(time);
+  if (!ephemeris.Possible())
+  {
+    return;
+  }
+  const double lastColumn = static_cast<double>(place.Columns - 1);
+  const double lastRow = static_cast<double>(place.Rows - 1);
+  const auto make = [&](std::ptrdiff_t side)
+  {
+    EclipseField field;
+    field.Side = side;
+    field.NodesPerColumn = static_cast<double>(side - 1) / lastColumn;
+    field.NodesPerRow = static_cast<double>(side - 1) / lastRow;
+    for (std::ptrdiff_t j = 0; j < side; ++j)
+    {
+      for (std::ptrdiff_t i = 0; i < side; ++i)
+      {
+        double longitude = 0.0, latitude = 0.0;
+        place.LonLatAt(static_cast<double>(i) / field.NodesPerColumn,
+          static_cast<double>(j) / field.NodesPerRow, longitude, latitude);
+        field.Nodes.push_back(
+          ephemeris.At(longitude, std::clamp(latitude, -90.0, 90.0), meanHeight));
+      }
+    }
+    return field;
+  };
+
+  // As in SunField: a lattice is good when it predicts the next finer one, which is then kept.
+  EclipseField field = make(FirstSide);
+  double error = 0.0;
+  do
+  {
+    if (!field.Reaches())
+    {
+      return;
+    }
+    EclipseField finer = make(2 * field.Side - 1);
+    error = 0.0;
+    for (std::ptrdiff_t j = 0; j < finer.Side; ++j)
+    {
+      for (std::ptrdiff_t i = 0; i < finer.Side; ++i)
+      {
+        const SunAndMoon predicted = field.At(static_cast<double>(i) / finer.NodesPerColumn,
+          static_cast<double>(j) / finer.NodesPerRow);
+        error = std::max(error, Difference(predicted, finer.Node(i, j)));
+      }
+    }
+    field = std::move(finer);
+  } while (error > EclipseTolerance && field.Side < LastSide);
+  *this = std::move(field);
+}
+
+const SunAndMoon& EclipseField::Node(std::ptrdiff_t column, std::ptrdiff_t row) const
+{
+  return this->Nodes[static_cast<std::size_t>(row * this->Side + column)];
+}
+
+/// True if the rims of sun and Moon may touch at a node, or between it and its neighbours.
+bool EclipseField::Reaches() const
+{
+  double closest = this->Nodes.front().Distance(), step = 0.0;
+  for (std::ptrdiff_t j = 0; j < this->Side; ++j)
+  {
+    for (std::ptrdiff_t i = 0; i < this->Side; ++i)
+    {
+      const SunAndMoon& node = this->Node(i, j);
+      closest = std::min(closest, node.Distance() - node.Cover - 1.0);
+      step = std::max(step, i > 0 ? Difference(node, this->Node(i - 1, j)) : 0.0);
+      step = std::max(step, j > 0 ? Difference(node, this->Node(i, j - 1)) : 0.0);
+    }
+  }
+  return closest < step;
+}
+
+SunAndMoon EclipseField::At(double column, double row) const
+{
+  const LatticePlace across(column * this->NodesPerColumn, this->Side);
+  const LatticePlace along(row * this->NodesPerRow, this->Side);
+  return Mix(Mix(this->Node(across.Lower, along.Lower), this->Node(across.Lower, along.Upper),
+               along.Fraction),
+    Mix(
+      this->Node(across.Upper, along.Lower), this->Node(across.Upper, along.Upper), along.Fraction),
+    across.Fraction);
+}
+
+void EclipseField::Uncovered(std::ptrdiff_t row, std::ptrdiff_t columnBegin, std::ptrdiff_t count,
+  double limbDarkening, float* share) const
+{
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+  {
+    const double column = static_cast<double>(columnBegin + i);
+    share[i] = this->Any()
+      ? static_cast<float>(
+          1.0 - this->At(column, static_cast<double>(row)).Obscuration(limbDarkening))
+      : 1.0f;
+  }
+}
+
+} // namespace skyline

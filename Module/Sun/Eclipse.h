@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Eclipses of the sun: how much of its disc the Moon covers.
+#ifndef skyline_Eclipse_h
+#define skyline_Eclipse_h
+
+#include "Geo/Georeference.h"
+#include "Sun/UtcTime.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace skyline
+{
+
+/// Radius of the Moon, metres: k = 0.2725076 (IAU 1982, the mean limb) equatorial radii of the Earth
+/// (6378137 m, WGS 84).
+constexpr double LunarRadius = 0.2725076 * 6378137.0;
+
+/// Interpolation of the Moon's place before the sun may add this many radii of the sun: no more than
+/// 0.0002 of the sun's light, since the covered share changes by less than 2 / pi a radius.
+constexpr double EclipseTolerance = 0.0002;
+
+/// Sun and Moon seen from a place, without air. (The air lifts and flattens both alike: the covered
+/// share stays.)
+struct SunAndMoon
+{
+  /// From the sun's centre to the Moon's, in radii of the sun, on axes fixed to the Earth.
+  std::array<double, 3> Offset{ { 0.0, 0.0, 0.0 } };
+  double Cover = 1.0; ///< the Moon's radius, in radii of the sun
+
+  double Distance() const;  ///< of the centres, in radii of the sun
+  double Magnitude() const; ///< the covered part of the sun's diameter: see CoveredMagnitude
+  double Obscuration(double limbDarkening = 0.0) const; ///< see CoveredShare
+};
+
+/// Sun and Moon at one moment.
+///
+/// Method: the sun as SunEphemeris has it; the Moon by eraMoon98 (Meeus 1998) at the moment its light
+/// left, turned to Earth-fixed axes likewise; a place subtracts its own place (topocentric parallax).
+///
+/// Errors: eraMoon98 keeps 2.9 arcseconds (root mean square; at most 18) of direction, in which the
+/// Moon passes before the sun in 7 s. UT1 - UTC, which is not known here, moves the place by up to
+/// 0.9 s of the Earth's rotation: 0.4 km. The Moon's limb has mountains and valleys of 2 arcseconds, k
+/// their mean: tables of totality that take the smaller k = 0.272281 (the valleys) are 3 s shorter.
+/// Before 1960 terrestrial time is wrong by up to 35 s (SunEphemeris), and eclipses come as much late
+/// or early.
+class EclipseEphemeris
+{
+public:
+  /// Throws what SunEphemeris throws.
+  explicit EclipseEphemeris(const UtcTime& time, double ut1MinusUtc = 0.0);
+
+  /// False where the Moon covers none of the sun anywhere on the Earth.
+  bool Possible() const { return this->Near; }
+
+  /// The place as SunEphemeris::At takes it, and with its errors.
+  SunAndMoon At(double longitude, double latitude, double height) const;
+
+  /// The Moon, metres from the Earth's centre, on axes fixed to the Earth.
+  const std::array<double, 3>& MoonFromEarthCentre() const { return this->Moon; }
+
+private:
+  std::array<double, 3> Sun, Moon; ///< from the Earth's centre, metres, Earth-fixed axes
+  bool Near = false;
+};
+
+/// Sun and Moon over a whole height field at one time, computed at the nodes of a lattice that is
+/// refined until interpolation keeps EclipseTolerance.
+class EclipseField
+{
+public:
+  /// No eclipse, anywhere.
+  EclipseField() = default;
+
+  /// As SunField; `meanHeight` (metres) stands for all posts: a kilometre moves the Moon by 0.5
+  /// arcseconds. Off the Earth, and without a place, there is no eclipse. Throws what SunEphemeris
+  /// throws.
+  EclipseField(const Georeference& place, const UtcTime& time, double meanHeight);
+
+  /// False where the Moon covers none of the sun at any post: then nothing is kept, and the sun and
+  /// the Moon were compared once.
+  bool Any() const { return !this->Nodes.empty(); }
+
+  /// Only if Any().
+  SunAndMoon At(double column, double row) const;
+
+  /// Only if Any(). The share of the sun's light that the Moon leaves, 0 to 1, at the `count` posts
+  /// (columnBegin + i, row).
+  void Uncovered(std::ptrdiff_t row, std::ptrdiff_t columnBegin, std::ptrdiff_t count,
+    double limbDarkening, float* share) const;
+
+private:
+  const SunAndMoon& Node(std::ptrdiff_t column, std::ptrdiff_t row) const;
+  bool Reaches() const;
+
+  std::ptrdiff_t Side = 0;                        ///< nodes along each side
+  double NodesPerColumn = 0.0, NodesPerRow = 0.0; ///< lattice steps per post
+  std::vector<SunAndMoon> Nodes;                  ///< row by row from the south
+};
+
+} // namespace skyline
+
+#endif

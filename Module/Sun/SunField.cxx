@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sun/SunField.h"
+
+#include "Geo/Azimuth.h"
+#include "Geo/LatticePlace.h"
+#include "Shared/Constants.h"
+#include "Sun/SunPosition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace skyline
+{
+namespace
+{
+
+/// Nodes along a side of the first and of the finest lattice; powers of two plus one, so that each
+/// lattice holds the one before.
+constexpr std::ptrdiff_t FirstSide = 5;
+constexpr std::ptrdiff_t LastSide = 257;
+
+/// Suns closer than this (degrees) everywhere are one: rounding of a raster whose axes are at right
+/// angles.
+constexpr double SameDirection = 1e-6;
+
+SunVector Mix(const SunVector& a, const SunVector& b, double fraction)
+{
+  const double rest = 1.0 - fraction;
+  return { rest * a.X + fraction * b.X, rest * a.Y + fraction * b.Y, rest * a.Z + fraction * b.Z };
+}
+
+SunVector FromAngles(double azimuth, double elevation)
+{
+  const double a = azimuth * RadiansPerDegree, e = elevation * RadiansPerDegree;
+  return { std::cos(e) * std::sin(a), std::cos(e) * std::cos(a), std::sin(e) };
+}
+
+/// Degrees between two directions of about unit length.
+double Angle(const SunVector& a, const SunVector& b)
+{
+  const double x = a.Y * b.Z - a.Z * b.Y, y = a.Z * b.X - a.X * b.Z, z = a.X * b.Y - a.Y * b.X;
+  const double dot = a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+  return std::atan2(std::sqrt(x * x + y * y + z * z), dot) * DegreesPerRadian;
+}
+
+} // namespace
+
+SunField::SunField(
+  const Georeference& place, const UtcTime& time, double meanHeight, double ut1MinusUtc)
+{
+  if (place.OnBody() && !place.Earth)
+  {
+    throw std::invalid_argument("the sun's place at " + ToText(time) +
+      " is known for the Earth only; on another body give the sun's azimuth and elevation");
+  }
+  const SunEphemeris ephemeris(time, ut1MinusUtc);
+  const Air air = StandardAir(meanHeight);
+  const double lastColumn = static_cast<double>(place.Columns - 1);
+  const double lastRow = static_cast<double>(place.Rows - 1);
+  const auto sunAt = [&](double column, double row)
+  {
+    double longitude = 0.0, latitude = 0.0;
+    place.LonLatAt(column, row, longitude, latitude);
+    return ephemeris.At(longitude, std::clamp(latitude, -90.0, 90.0), meanHeight, air);
+  };
+  this->DiscRadius = sunAt(0.5 * lastColumn, 0.5 * lastRow).AngularRadius;
+
+  this->Fill(place,
+    [&](double column, double row)
+    {
+      const SunDirection sun = sunAt(column, row);
+      return FromAngles(place.AxisAzimuthAt(column, row, sun.Azimuth), sun.ApparentElevation);
+    });
+}
+
+template <typename SunAt>
+void SunField::Fill(const Georeference& place, const SunAt& vectorAt)
+{
+  const double lastColumn = static_cast<double>(place.Columns - 1);
+  const double lastRow = static_cast<double>(place.Rows - 1);
+  const auto make = [&](std::ptrdiff_t side)
+  {
+    SunField field;
+    field.Side = side;
+    field.NodesPerColumn = static_cast<double>(side - 1) / lastColumn;
+    field.NodesPerRow = static_cast<double>(side - 1) / lastRow;
+    for (std::ptrdiff_t j = 0; j < side; ++j)
+    {
+      for (std::ptrdiff_t i = 0; i < side; ++i)
+      {
+        const double column = static_cast<double>(i) / field.NodesPerColumn;
+        const double row = static_cast<double>(j) / field.NodesPerRow;
+        field.Nodes.push_back(vectorAt(column, row));
+      }
+    }
+    return field;
+  };
+
+  // A lattice is good when it predicts the next finer one, which is then kept: its error is about
+  // a quarter of the one measured.
+  SunField field = make(FirstSide);
+  do
+  {
+    SunField finer = make(2 * field.Side - 1);
+    finer.Error = 0.0;
+    for (std::ptrdiff_t j = 0; j < finer.Side; ++j)
+    {
+      for (std::ptrdiff_t i = 0; i < finer.Side; ++i)
+      {
+        const SunVector predicted = field.Interpolate(static_cast<double>(i) / finer.NodesPerColumn,
+          static_cast<double>(j) / finer.NodesPerRow);
+        finer.Error = std::max(finer.Error, Angle(predicted, finer.Node(i, j)));
+      }
+    }
+    field = std::move(finer);
+  } while (field.Error > SunFieldTolerance && field.Side < LastSide);
+
+  this->Side = field.Side;
+  this->NodesPerColumn = field.NodesPerColumn;
+  this->NodesPerRow = field.NodesPerRow;
+  this->Nodes = std::move(field.Nodes);
+  this->Error = field.Error;
+}
+
+SunField SunField::Constant(double azimuth, double elevation, double radius)
+{
+  if (!std::isfinite(azimuth))
+  {
+    throw std::out_of_range("sun azimuth " + std::to_string(azimuth) +
+      " is not a number; give degrees clockwise from grid north");
+  }
+  if (!(std::abs(elevation) <= 90.0))
+  {
+    throw std::out_of_range("sun elevation " + std::to_string(elevation) +
+      " is outside -90 to 90; give degrees above the horizontal plane");
+  }
+  if (!(radius >= 0.0 && radius < 90.0))
+  {
+    throw std::out_of_range("sun radius " + std::to_string(radius) +
+      " is outside 0 to 90; give degrees, 0.26645 for the sun seen from the Earth");
+  }
+  SunField field;
+  field.Nodes.push_back(FromAngles(std::fmod(azimuth, 360.0), elevation));
+  field.DiscRadius = radius;
+  return field;
+}
+
+SunField SunField::OnImage(
+  const Georeference& place, double azimuth, double elevation, double radius)
+{
+  SunField field = Constant(azimuth, elevation, radius);
+  if (place.GroundAxes && place.OnBody())
+  {
+    field.Fill(place,
+      [&](double column, double row)
+      {
+        const double direction = place.TrueAzimuthAt(column, row, std::fmod(azimuth, 360.0));
+        return FromAngles(place.GroundAzimuthAt(column, row, direction), elevation);
+      });
+    const SunVector& first = field.Nodes.front();
+    if (std::all_of(field.Nodes.begin(), field.Nodes.end(),
+          [&](const SunVector& node) { return Angle(first, node) <= SameDirection; }))
+    {
+      return Constant(azimuth, elevation, radius);
+    }
+  }
+  return field;
+}
+
+const SunVector& SunField::Node(std::ptrdiff_t column, std::ptrdiff_t row) const
+{
+  return this->Nodes[static_cast<std::size_t>(row * this->Side + column)];
+}
+
+SunVector SunField::Interpolate(double column, double row) const
+{
+  const LatticePlace across(column * this->NodesPerColumn, this->Side);
+  const LatticePlace along(row * this->NodesPerRow, this->Side);
+  const SunVector west = Mix(
+    this->Node(across.Lower, along.Lower), this->Node(across.Lower, along.Upper), along.Fraction);
+  const SunVector east = Mix(
+    this->Node(across.Upper, along.Lower), this->Node(across.Upper, along.Upper), along.Fraction);
+  return Mix(west, east, across.Fraction);
+}
+
+GridSun SunField::At(double column, double row) const
+{
+  const SunVector sun = this->Interpolate(column, row);
+  GridSun result;
+  result.Azimuth = AzimuthOf(sun.X, sun.Y);
+  result.Elevation = std::atan2(sun.Z, std::hypot(sun.X, sun.Y)) * DegreesPerRadian;
+  result.Radius = this->DiscRadius;
+  return result;
+}
+
+void SunField::Row(std::ptrdiff_t row, std::ptrdiff_t columnBegin, std::ptrdiff_t count, float* x,
+  float* y, float* z) const
+{
+  const LatticePlace along(static_cast<double>(row) * this->NodesPerRow, this->Side);
+  std::ptrdiff_t cell = -1;
+  SunVector west, east;
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+  {
+    const LatticePlace across(
+      static_cast<double>(columnBegin + i) * this->NodesPerColumn, this->Side);
+    if (across.Lower != cell)
+    {
+      cell = across.Lower;
+      west = Mix(this->Node(across.Lower, along.Lower), this->Node(across.Lower, along.Upper),
+        along.Fraction);
+      east = Mix(this->Node(across.Upper, along.Lower), this->Node(across.Upper, along.Upper),
+        along.Fraction);
+    }
+    const SunVector sun = Mix(west, east, across.Fraction);
+    const double scale = 1.0 / std::sqrt(sun.X * sun.X + sun.Y * sun.Y + sun.Z * sun.Z);
+    x[i] = static_cast<float>(scale * sun.X);
+    y[i] = static_cast<float>(scale * sun.Y);
+    z[i] = static_cast<float>(scale * sun.Z);
+  }
+}
+
+void SunField::AzimuthBounds(double& first, double& last) const
+{
+  std::vector<double> azimuths;
+  for (const SunVector& node : this->Nodes)
+  {
+    azimuths.push_back(AzimuthOf(node.X, node.Y));
+  }
+  std::sort(azimuths.begin(), azimuths.end());
+
+  // The arc is what the widest gap leaves over.
+  first = azimuths.front();
+  last = azimuths.back();
+  double widest = first + 360.0 - last;
+  for (std::size_t i = 1; i < azimuths.size(); ++i)
+  {
+    if (azimuths[i] - azimuths[i - 1] > widest)
+    {
+      widest = azimuths[i] - azimuths[i - 1];
+      first = azimuths[i];
+      last = azimuths[i - 1] + 360.0;
+    }
+  }
+  // Directions that no half-plane holds have the zenith among them.
+  if (widest < 180.0)
+  {
+    first = 0.0;
+    last = 360.0;
+  }
+}
+
+void SunField::ElevationBounds(double& least, double& greatest) const
+{
+  double low = 1.0, high = -1.0;
+  for (const SunVector& node : this->Nodes)
+  {
+    low = std::min(low, node.Z);
+    high = std::max(high, node.Z);
+  }
+  least = std::asin(std::clamp(low, -1.0, 1.0)) * DegreesPerRadian;
+  greatest = std::asin(std::clamp(high, -1.0, 1.0)) * DegreesPerRadian;
+}
+
+} // namespace skyline

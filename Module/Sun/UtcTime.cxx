@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sun/UtcTime.h"
+
+#include <erfa.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace skyline
+{
+namespace
+{
+
+constexpr int MinutesPerDay = 24 * 60;
+
+int DaysInMonth(int year, int month)
+{
+  const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+  const int days[] = { 31, leap ? 29 : 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
+  return days[month - 1];
+}
+
+/// Reads a text from left to right; free of the locale, which strtod is not.
+class Reader
+{
+public:
+  explicit Reader(const std::string& text)
+    : Text(text)
+  {
+  }
+
+  bool AtEnd() const { return this->Position == this->Text.size(); }
+
+  bool Accept(char wanted)
+  {
+    const bool found = !this->AtEnd() && this->Text[this->Position] == wanted;
+    this->Position += found ? 1 : 0;
+    return found;
+  }
+
+  void Expect(char wanted)
+  {
+    if (!this->Accept(wanted))
+    {
+      this->Refuse("is not a time");
+    }
+  }
+
+  /// Exactly `digits` digits whose number lies within [low, high].
+  int Number(int digits, int low, int high, const char* what)
+  {
+    int value = 0;
+    for (int digit = 0; digit < digits; ++digit)
+    {
+      if (!this->DigitNext())
+      {
+        this->Refuse("is not a time");
+      }
+      value = 10 * value + (this->Text[this->Position++] - '0');
+    }
+    if (value < low || value > high)
+    {
+      this->Refuse("has the " + std::string(what) + " outside " + std::to_string(low) + " to " +
+        std::to_string(high));
+    }
+    return value;
+  }
+
+  /// The digits after a decimal mark as a number in [0, 1).
+  double Fraction()
+  {
+    if (!this->DigitNext())
+    {
+      this->Refuse("is not a time");
+    }
+    double value = 0.0, unit = 1.0;
+    while (this->DigitNext())
+    {
+      unit *= 0.1;
+      value += unit * (this->Text[this->Position++] - '0');
+    }
+    // A long row of nines rounds up to the next second, which may not exist.
+    return std::min(value, 1.0 - 1e-12);
+  }
+
+  [[noreturn]] void Refuse(const std::string& reason) const
+  {
+    throw std::invalid_argument(
+      "\"" + this->Text + "\" " + reason + "; write it like 2026-06-21T06:00Z");
+  }
+
+private:
+  bool DigitNext() const
+  {
+    return !this->AtEnd() && this->Text[this->Position] >= '0' && this->Text[this->Position] <= '9';
+  }
+
+  const std::string& Text;
+  std::size_t Position = 0;
+};
+
+/// Minutes that the written clock is ahead of UTC.
+int ReadZone(Reader& reader)
+{
+  if (reader.AtEnd())
+  {
+    return 0;
+  }
+  reader.Accept(' ');
+  if (reader.Accept('Z'))
+  {
+    return 0;
+  }
+  if (reader.Accept('U'))
+  {
+    reader.Expect('T');
+    reader.Expect('C');
+    return 0;
+  }
+  const bool behind = reader.Accept('-');
+  if (!behind)
+  {
+    reader.Expect('+');
+  }
+  int minutes = 60 * reader.Number(2, 0, 23, "zone hour");
+  if (reader.Accept(':') || !reader.AtEnd())
+  {
+    minutes += reader.Number(2, 0, 59, "zone minute");
+  }
+  return behind ? -minutes : minutes;
+}
+
+/// Takes `minutes`, less than a day of them, off the time.
+void Subtract(int minutes, UtcTime& time)
+{
+  int minute = 60 * time.Hour + time.Minute - minutes;
+  if (minute < 0)
+  {
+    minute += MinutesPerDay;
+    if (--time.Day < 1)
+    {
+      time.Month = time.Month == 1 ? 12 : time.Month - 1;
+      time.Year -= time.Month == 12 ? 1 : 0;
+      time.Day = DaysInMonth(time.Year, time.Month);
+    }
+  }
+  else if (minute >= MinutesPerDay)
+  {
+    minute -= MinutesPerDay;
+    if (++time.Day > DaysInMonth(time.Year, time.Month))
+    {
+      time.Day = 1;
+      time.Month = time.Month == 12 ? 1 : time.Month + 1;
+      time.Year += time.Month == 1 ? 1 : 0;
+    }
+  }
+  time.Hour = minute / 60;
+  time.Minute = minute % 60;
+}
+
+/// True when the day of `time` ends with a leap second and `time` is in its last minute.
+bool InLeapSecondMinute(const UtcTime& time)
+{
+  double day = 0.0, fraction = 0.0;
+  const int status = eraDtf2d(
+    "UTC", time.Year, time.Month, time.Day, time.Hour, time.Minute, time.Second, &day, &fraction);
+  // 0 and 1 (an old or far year) are good; 2 and 3 say that the day has ended before.
+  return time.Hour == 23 && time.Minute == 59 && (status == 0 || status == 1);
+}
+
+} // namespace
+
+UtcTime ParseUtcTime(const std::string& text)
+{
+  Reader reader(text);
+  UtcTime time;
+  time.Year = reader.Number(4, 0, 9999, "year");
+  reader.Expect('-');
+  time.Month = reader.Number(2, 1, 12, "month");
+  reader.Expect('-');
+  time.Day = reader.Number(2, 1, DaysInMonth(time.Year, time.Month), "day");
+  if (reader.AtEnd())
+  {
+    return time;
+  }
+
+  if (!reader.Accept(' ')) // as Python, pandas and GNU date print it
+  {
+    reader.Expect('T');
+  }
+  time.Hour = reader.Number(2, 0, 23, "hour");
+  reader.Expect(':');
+  time.Minute = reader.Number(2, 0, 59, "minute");
+  if (reader.Accept(':'))
+  {
+    time.Second = reader.Number(2, 0, 60, "second");
+    if (reader.Accept('.') || reader.Accept(','))
+    {
+      time.Second += reader.Fraction();
+    }
+  }
+  Subtract(ReadZone(reader), time);
+  if (!reader.AtEnd())
+  {
+    reader.Refuse("is not a time");
+  }
+  if (time.Second >= 60.0 && !InLeapSecondMinute(time))
+  {
+    reader.Refuse("has a second 60 where no leap second is known");
+  }
+  return time;
+}
+
+bool NamesZone(const std::string& text)
+{
+  constexpr std::size_t date = 10; // characters of the date, whose hyphens name no zone
+  return text.size() > date && text.find_first_of("ZU+-", date) != std::string::npos;
+}
+
+std::string ToText(const UtcTime& time)
+{
+  // A hair more than the number, so that 30.1 does not become 30.099.
+  constexpr double hair = 1e-6;
+  const double last = time.Second < 60.0 ? 59999.0 : 60999.0;
+  const double second = time.Second >= 0.0 ? time.Second : 0.0; // 0 for NaN too
+  const int milliseconds = static_cast<int>(std::min(std::floor(1000.0 * second + hair), last));
+  char text[96];
+  std::snprintf(text, sizeof text, "%04d-%02d-%02dT%02d:%02d:%02d", time.Year, time.Month, time.Day,
+    time.Hour, time.Minute, milliseconds / 1000);
+  std::string result = text;
+  if (milliseconds % 1000 != 0)
+  {
+    std::snprintf(text, sizeof text, ".%03d", milliseconds % 1000);
+    result += text;
+  }
+  return result + "Z";
+}
+
+} // namespace skyline

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Reference/SharedSwaths.h"
+
+#include "Shared/Constants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace skyline
+{
+
+namespace
+{
+
+constexpr double Circle = 2.0 * Pi;
+
+/// The angle brought into [0, 2 pi).
+double Turned(double angle)
+{
+  const double turned = std::fmod(angle, Circle);
+  return turned < 0.0 ? turned + Circle : turned;
+}
+
+struct Span
+{
+  double Begin, End; // radians, End at most a circle after Begin
+  std::vector<std::size_t> Lights;
+};
+
+Swath SwathBetween(double begin, double end)
+{
+  return { Turned(0.5 * (begin + end)), std::min(end - begin, Circle) };
+}
+
+} // namespace
+
+std::vector<SharedSwath> ShareSwaths(const std::vector<KeyLight>& lights)
+{
+  std::vector<Span> spans;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    const Swath swath = SwathOf(lights[i]);
+    const double begin = Turned(swath.Azimuth - 0.5 * swath.Width);
+    spans.push_back({ begin, begin + swath.Width, { i } });
+  }
+  std::sort(
+    spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.Begin < b.Begin; });
+  std::vector<Span> joined;
+  const auto join = [](Span& into, const Span& from, double turn)
+  {
+    into.End = std::max(into.End, from.End + turn);
+    into.Lights.insert(into.Lights.end(), from.Lights.begin(), from.Lights.end());
+  };
+  for (const Span& span : spans)
+  {
+    if (!joined.empty() && span.Begin <= joined.back().End)
+    {
+      join(joined.back(), span, 0.0);
+    }
+    else
+    {
+      joined.push_back(span);
+    }
+  }
+  // The last ones may reach across north, onto the first.
+  while (joined.size() > 1 && joined.back().End - Circle >= joined.front().Begin)
+  {
+    join(joined.back(), joined.front(), Circle);
+    joined.erase(joined.begin());
+  }
+  std::vector<SharedSwath> shared;
+  for (Span& span : joined)
+  {
+    std::sort(span.Lights.begin(), span.Lights.end());
+    shared.push_back({ SwathBetween(span.Begin, span.End), span.Lights });
+  }
+  return shared;
+}
+
+} // namespace skyline

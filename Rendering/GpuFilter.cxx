@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GpuFilter.h"
+
+#include "Harmonics/SphericalHarmonics.h"
+#include "HorizonScene.h"
+
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkTextureObject.h"
+
+#include <cstddef>
+#include <stdexcept>
+
+namespace skyline
+{
+
+bool GpuFilter::SetDevice(vtkOpenGLHeightFieldDevice* device)
+{
+  if (!device || device == this->Device)
+  {
+    return false;
+  }
+  this->Harmonics.reset(); // before its device goes
+  this->Device = device;
+  return true;
+}
+
+bool GpuFilter::Ready()
+{
+  return this->Device->IsAvailable() && this->Harmonics &&
+    this->Generation == this->Device->GetGeneration() && this->Time == this->Device->GetMTime();
+}
+
+bool GpuFilter::Attempt(
+  vtkObject* filter, HorizonScene& scene, const std::function<void()>& compute)
+{
+  this->OnDevice = this->Filled = this->OneTile = false;
+  // The GPU knows bands of rows; other distorted maps are left to the host.
+  const bool rows = scene.Ground().Uniform() || scene.Ground().ByRows();
+  if (!rows || !GpuHarmonics::Unknown(scene.UsedSettings()).empty())
+  {
+    return false;
+  }
+  if (!this->Ready())
+  {
+    this->Harmonics.reset();
+    // What goes with them may have made another context current.
+    if (!this->Device->IsAvailable())
+    {
+      this->Tell(filter, this->Device->GetReason());
+      return false;
+    }
+    this->Harmonics = std::make_unique<GpuHarmonics>(this->Device->Gpu(), this->Device->Limits());
+    this->Generation = this->Device->GetGeneration();
+    this->Time = this->Device->GetMTime();
+  }
+  try
+  {
+    this->Harmonics->Times.Wanted = this->Timed;
+    this->OneTile = this->Harmonics->FitsOneTile(scene);
+    compute();
+    this->OnDevice = true;
+    this->Told.clear();
+    return true;
+  }
+  catch (const std::runtime_error& error)
+  {
+    this->Harmonics.reset();
+    this->OneTile = this->Filled = false;
+    this->Tell(filter, error.what());
+    return false;
+  }
+}
+
+bool GpuFilter::Run(
+  vtkObject* filter, HorizonScene& scene, GpuHarmonics::Task task, bool readBack, bool& finished)
+{
+  this->Values.clear();
+  return this->Attempt(filter, scene,
+    [&]()
+    {
+      if (!readBack && this->OneTile)
+      {
+        task.Values = nullptr;
+      }
+      else if (!task.Values)
+      {
+        const std::ptrdiff_t posts = scene.Posts().Columns * scene.Posts().Rows;
+        this->Values.resize(static_cast<std::size_t>(posts * HarmonicCount(task.Bands)));
+        task.Values = this->Values.data();
+      }
+      this->Filled = task.Values != nullptr;
+      finished = this->Harmonics->Run(scene, task);
+    });
+}
+
+bool GpuFilter::Store(vtkObject* filter, HorizonScene& scene, const std::vector<double>& azimuths,
+  float* degrees, bool& finished)
+{
+  return this->Attempt(
+    filter, scene, [&]() { finished = this->Harmonics->Store(scene, azimuths, degrees); });
+}
+
+vtkTextureObject* GpuFilter::Image(int index) const
+{
+  if (!this->OnDevice || !this->OneTile || !this->Harmonics || index < 0 ||
+    static_cast<std::size_t>(index) >= this->Harmonics->Images().size())
+  {
+    return nullptr;
+  }
+  vtkTextureObject* image = this->Harmonics->Images()[static_cast<std::size_t>(index)];
+  return image->GetHandle() != 0 ? image : nullptr;
+}
+
+void GpuFilter::RemoveUnread(vtkImageData* output, const char* name) const
+{
+  if (this->OnDevice && !this->Filled)
+  {
+    output->GetPointData()->RemoveArray(name);
+  }
+}
+
+void GpuFilter::Tell(vtkObject* filter, const std::string& reason)
+{
+  if (reason != this->Told)
+  {
+    vtkErrorWithObjectMacro(
+      filter, "the host computes in place of the graphics processor: " << reason);
+  }
+  this->Told = reason;
+}
+
+} // namespace skyline

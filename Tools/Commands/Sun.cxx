@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Commands.h"
+
+#include "Failure.h"
+#include "Files.h"
+#include "IdleOptions.h"
+#include "Options.h"
+#include "Sun/Eclipse.h"
+#include "Sun/UtcTime.h"
+#include "SunLight.h"
+
+#include "Data/vtkSkylineGeoreference.h"
+#include "vtkHeightFieldSunShadow.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+namespace
+{
+
+struct SunCommand
+{
+  skyline::TerrainOptions Terrain;
+  skyline::OutputOptions Output;
+  skyline::HorizonOptions Horizon;
+  skyline::SunOptions Sun;
+  skyline::Talk Talk;
+
+  // The sun at the centre of the DEM: one `name: value unit` a line, the names fixed.
+  void Print() const
+  {
+    const skyline::Center center = skyline::ReadCenter(this->Terrain, this->Talk);
+    const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
+    const auto degrees = [](const char* name, double value)
+    { std::printf("%s: %.5f degree\n", name, value); };
+    degrees("azimuth", sun.TrueNorth ? sun.TrueAzimuth : sun.GridAzimuth);
+    degrees("elevation", sun.Elevation);
+    degrees("refracted elevation", sun.ApparentElevation);
+    degrees("angular radius", sun.Radius);
+    degrees("grid azimuth", sun.GridAzimuth);
+    if (sun.TrueNorth)
+    {
+      degrees("longitude", center.Longitude);
+      degrees("latitude", center.Latitude);
+    }
+    std::printf("height: %.2f metre\n", center.Height);
+    if (sun.FromTime)
+    {
+      std::printf("time: %s UTC\n", skyline::ToText(skyline::ParseUtcTime(this->Sun.Time)).c_str());
+      this->PrintEclipse(center, sun);
+    }
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+    {
+      throw skyline::Failure("cannot write to standard output");
+    }
+  }
+
+  // Two lines while the Moon covers any of a sun that has not set.
+  void PrintEclipse(const skyline::Center& center, const skyline::SunLight& sun) const
+  {
+    const skyline::SunAndMoon seen =
+      skyline::EclipseEphemeris(skyline::ParseUtcTime(this->Sun.Time))
+        .At(center.Longitude, center.Latitude, center.Height);
+    if (seen.Magnitude() > 0.0 && sun.ApparentElevation + sun.Radius > 0.0)
+    {
+      std::printf("eclipse obscuration: %.2f percent\n", 100.0 * seen.Obscuration());
+      std::printf("eclipse magnitude: %.4f diameter\n", seen.Magnitude());
+    }
+  }
+
+  void Write() const
+  {
+    skyline::CheckRasterOutput(this->Output.File, { this->Terrain.File });
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
+    this->Horizon.WarnIdle(terrain, this->Talk);
+    vtkNew<vtkHeightFieldSunShadow> shadow;
+    shadow->SetInputData(terrain);
+    this->Horizon.Apply(shadow.Get());
+    const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
+    skyline::ApplySun(this->Sun, skyline::FindSun(this->Sun, center.Place, center.Height), shadow);
+    skyline::RunPass(shadow, "sun", this->Talk);
+    skyline::WriteRaster(shadow, { "SunVisibility" }, this->Output, this->Talk);
+  }
+
+  void Check(const skyline::IdleOptions& options) const
+  {
+    this->Horizon.RefuseIdle(options);
+    this->Sun.RefuseIdle(options);
+    options.Refuse(this->Output.File.empty(),
+      { "--cloud-optimized", "--limb-darkening", "--method", "--surface", "--flat", "--refraction",
+        "--tolerance" },
+      "without -o no shadow is computed; add -o FILE, or leave it out");
+  }
+
+  void Run() const
+  {
+    skyline::PrepareVtk(this->Talk);
+    this->Sun.WarnOfZone(this->Talk);
+    if (this->Output.File.empty())
+    {
+      this->Print();
+    }
+    else
+    {
+      this->Write();
+    }
+  }
+};
+
+} // namespace
+
+namespace skyline
+{
+
+void AddSun(CLI::App& program)
+{
+  CLI::App* app = program.add_subcommand("sun", "Where the sun stands, and which posts it reaches");
+  const auto command = std::make_shared<SunCommand>();
+  app->footer(
+    "Without -o, prints the sun at the centre of the DEM, one `name: value unit` a line: azimuth "
+    "(clockwise from\ntrue north; from grid north for a DEM without CRS), elevation (without air), "
+    "refracted elevation,\nangular radius, grid azimuth, and the place and time; with --time in an "
+    "eclipse of the sun also\neclipse obscuration (percent of the disc that the Moon covers) and "
+    "eclipse magnitude (of the diameter).\n"
+    "With -o, writes a GeoTIFF of float32 with one band, SunVisibility: the lit share of the sun's "
+    "disc, 0 to 1;\nin an eclipse at --time, times the share of its light that the Moon leaves.");
+  command->Terrain.AddTo(*app);
+  command->Output.AddTo(*app, "GeoTIFF to write; without it the sun's position is printed", false);
+  command->Sun.AddTo(*app);
+  HorizonNeeds needs;
+  needs.Azimuths = false;
+  command->Horizon.AddTo(*app, needs);
+  AddTalk(*app, command->Talk);
+  app->callback(
+    [command, app]
+    {
+      command->Check(IdleOptions(*app));
+      command->Run();
+    });
+}
+
+} // namespace skyline

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Commands.h"
+
+#include "Failure.h"
+#include "IdleOptions.h"
+#include "Lights.h"
+#include "LookOptions.h"
+#include "Options.h"
+#include "Perspective.h"
+
+#include "GlfwWindow.h"
+#include "Viewer.h"
+#include "ViewerInput.h"
+
+#include "vtkGenericOpenGLRenderWindow.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace
+{
+
+// The bundled DEM, which lies at the same place from the program in the build and the install tree.
+std::string BundledTerrain()
+{
+  std::error_code none;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
+  const auto file = (program.parent_path() / SKYLINE_SHARE_FROM_BIN / "SainteHelens.tif");
+  if (none || !std::filesystem::exists(file))
+  {
+    throw skyline::Failure(
+      "no DEM is given, and '" + file.lexically_normal().string() + "' is not there; give a DEM");
+  }
+  return file.lexically_normal().string();
+}
+
+struct ViewCommand
+{
+  skyline::ViewerOptions Options;
+  skyline::LookOptions Look;
+  skyline::PerspectiveOptions Perspective;
+  skyline::Talk Talk;
+
+  void Check(const skyline::IdleOptions& options) const
+  {
+    this->Options.Horizon.RefuseIdle(options);
+    this->Options.Lights.Sun.RefuseIdle(options);
+  }
+
+  void Run()
+  {
+    skyline::PrepareVtk(this->Talk);
+    this->Options.Lights.Sun.WarnOfZone(this->Talk);
+    if (this->Options.Terrain.File.empty())
+    {
+      this->Options.Terrain.File = BundledTerrain();
+    }
+    this->Options.Lights.Environment = this->Look.Environment;
+    this->Options.Colors = this->Look.Colors;
+    this->Options.Exposure = this->Look.Exposure;
+    this->Options.Exaggeration = this->Look.Exaggeration;
+    int width = 0;
+    int height = 0;
+    this->Perspective.Read(width, height, this->Options.FromAzimuth, this->Options.FromElevation);
+    skyline::GlfwWindow window(width, height); // before any work: there may be no display
+    skyline::Viewer viewer(window.GetRenderWindow(), this->Options, this->Talk);
+    window.Run(viewer, this->Talk);
+  }
+};
+
+} // namespace
+
+namespace skyline
+{
+
+void AddView(CLI::App& program)
+{
+  CLI::App* app = program.add_subcommand("view", "A window on the terrain: drag camera and sun");
+  const auto command = std::make_shared<ViewCommand>();
+  command->Options.Horizon.Azimuths = 72;
+  command->Perspective.Size = "1280x800";
+  app->footer(
+    std::string("Without a DEM: the bundled Mount St Helens. Without --sun, a DEM on the Earth "
+                "starts on an afternoon of\nits longest day; others at azimuth 315, "
+                "elevation 45. Screenshots go to the current folder.\n\nIn the window:\n") +
+    ViewerHelp());
+  command->Options.Terrain.AddTo(*app);
+  app->get_option("DEM")->required(false);
+  command->Options.Lights.Sun.AddTo(*app);
+  command->Look.AddSkyTo(*app);
+  command->Options.Lights.AddLampsTo(*app);
+  command->Look.AddTo(*app);
+  command->Perspective.AddTo(*app);
+  command->Options.Horizon.AddTo(*app);
+  AddTalk(*app, command->Talk);
+  app->callback(
+    [command, app]
+    {
+      command->Check(IdleOptions(*app));
+      command->Run();
+    });
+}
+
+} // namespace skyline

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LookOptions.h"
+
+#include "Color/ColorMaps.h"
+#include "SkyNames.h"
+#include "Values.h"
+
+#include <vector>
+
+namespace
+{
+
+constexpr const char* Automatic = "auto";
+
+const skyline::Limits ExposureLimits{ "auto, or stops from -1000 to 1000", -1000.0, 1000.0 };
+const skyline::Limits ExaggerationLimits{ "a number above 0, up to 1000", 0.0, 1000.0, true };
+
+std::string CheckExposure(const std::string& text)
+{
+  return text == Automatic ? "" : skyline::WhyNotWithin(text, ExposureLimits);
+}
+
+std::vector<std::string> MapNames()
+{
+  std::vector<std::string> names;
+  for (const skyline::ColorMap& map : skyline::ColorMaps())
+  {
+    names.emplace_back(map.Name);
+  }
+  return names;
+}
+
+std::string MapHelp()
+{
+  std::string help = "Colours of heights, each list growing lighter upwards";
+  for (const skyline::ColorMap& map : skyline::ColorMaps())
+  {
+    help += "\n" + std::string(map.Name) + ": " + std::string(map.Description);
+  }
+  return help;
+}
+
+} // namespace
+
+namespace skyline
+{
+
+LookOptions::LookOptions()
+  : Colors(ColorMaps()[0].Name)
+{
+}
+
+void LookOptions::AddSkyTo(CLI::App& command)
+{
+  command
+    .add_option("--environment", this->Environment,
+      "The sky. uniform: equally bright all over;\n"
+      "cie:N: sky N of CIE S 011: 1 overcast, 3 overcast with a moderate gradation, 5 uniform,\n"
+      "12 clear, 16 traditional overcast (three times as bright in the zenith as at the horizon);\n"
+      "none: black; FILE.hdr, FILE.exr: a light map, alone or with the sun of --sun or --time;\n"
+      "perez:DIRECT,DIFFUSE: Perez's sky and its sun, W/m2")
+    ->type_name("NAME|FILE")
+    ->check(Checked(CheckSky))
+    ->capture_default_str();
+}
+
+void LookOptions::AddTo(CLI::App& command)
+{
+  command.add_option("--colors", this->Colors, MapHelp())
+    ->check(OneOf(MapNames()))
+    ->type_name("NAME")
+    ->capture_default_str();
+  command
+    .add_option_function<std::string>(
+      "--exposure", [this](const std::string& text) { this->Exposure = ReadNumber(text); },
+      "auto, or stops: 0 shows level open ground as its colour, +1 twice as bright.\nHowever "
+      "bright, nothing burns out")
+    ->type_name("EV")
+    ->check(Checked(CheckExposure))
+    ->default_str(Automatic);
+  AddNumber(command, "--exaggeration", this->Exaggeration, ExaggerationLimits,
+    "Factor on heights, in shading and shadows alike; above 0, up to 1000")
+    ->type_name("F");
+}
+
+} // namespace skyline

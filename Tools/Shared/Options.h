@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The options that commands share, in groups: a command adds the groups it uses.
+#ifndef skyline_Options_h
+#define skyline_Options_h
+
+#include "Passes.h"
+#include "Shared/Constants.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace skyline
+{
+
+class IdleOptions;
+
+/// --allow-network, --allow-elsewhere, --driver: what a file may lead to.
+struct SourceOptions
+{
+  bool AllowNetwork = false;
+  bool AllowElsewhere = false;
+  std::vector<std::string> Drivers;
+  void AddTo(CLI::App& command);
+
+  template <typename Reader>
+  void Apply(Reader* reader) const
+  {
+    reader->SetAllowNetwork(this->AllowNetwork);
+    reader->SetAllowElsewhere(this->AllowElsewhere);
+    for (const std::string& name : this->Drivers)
+    {
+      reader->AddDriver(name.c_str());
+    }
+  }
+};
+
+/// DEM, --band, --nodata, and the options of sources: what is read.
+struct TerrainOptions
+{
+  std::string File;
+  int Band = 1;
+  std::vector<double> Nodata; ///< besides the file's own
+  SourceOptions Sources;
+  void AddTo(CLI::App& command);
+};
+
+/// -o, --cloud-optimized: what is written.
+struct OutputOptions
+{
+  std::string File;
+  bool CloudOptimized = false;
+  void AddTo(CLI::App& command, const std::string& what, bool required = true);
+};
+
+/// What a command wants to know about horizons.
+struct HorizonNeeds
+{
+  bool Azimuths = true; ///< --azimuths
+  bool Heights = false; ///< shadow heights: no pyramid, no other surface, no tolerance
+  const char* Method = "--method";
+};
+
+/// --azimuths, --method, --surface, --flat, --refraction, --tolerance: how horizons are found.
+struct HorizonOptions
+{
+  int Azimuths = 36;
+  std::string Method = "exact";
+  std::string Surface = "triangles";
+  bool Flat = false;
+  std::optional<double> Refraction; ///< none: TerrestrialRefraction
+  double Tolerance = 0.0;
+  void AddTo(CLI::App& command, const HorizonNeeds& needs = {});
+
+  /// Throws WrongUsage for options that cannot act; before any work.
+  void RefuseIdle(const IdleOptions& options) const;
+
+  /// Warns of options that cannot act on this terrain.
+  void WarnIdle(vtkImageData* terrain, const Talk& talk) const;
+
+  /// Sets the properties that all filters of horizons share.
+  template <typename Filter>
+  void Apply(Filter* filter) const
+  {
+    filter->SetMethod(this->Method == "exact" ? Filter::EXACT
+        : this->Method == "fast"              ? Filter::FAST
+        : this->Method == "sweep"             ? Filter::SWEEP
+                                              : Filter::PYRAMID);
+    filter->SetSurface(this->Surface == "triangles" ? Filter::TRIANGLES : Filter::BILINEAR);
+    filter->SetFlat(this->Flat);
+    filter->SetRefractionCoefficient(this->Refraction.value_or(TerrestrialRefraction));
+    filter->SetTolerance(this->Tolerance);
+  }
+
+private:
+  std::string MethodName = "--method";
+};
+
+/// --quiet, --verbose, --threads.
+void AddTalk(CLI::App& command, Talk& talk);
+
+} // namespace skyline
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The sun that the user asked for: by time and place, or by its direction.
+#ifndef skyline_SunLight_h
+#define skyline_SunLight_h
+
+#include "Geo/Georeference.h"
+#include "Passes.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+
+class vtkHeightFieldSunShadow;
+
+namespace skyline
+{
+
+class IdleOptions;
+
+/// --time, --sun, --sun-radius, --limb-darkening.
+struct SunOptions
+{
+  std::string Time;
+  std::string Direction;
+  std::optional<double> Radius; ///< degrees; none: that of the time, or the mean one
+  bool LimbDarkening = false;
+  void AddTo(CLI::App& command, bool limbDarkening = true);
+
+  /// Whether the user asked for a sun.
+  bool Asked() const { return !this->Time.empty() || !this->Direction.empty(); }
+
+  /// Throws WrongUsage for options that cannot act; before any work.
+  void RefuseIdle(const IdleOptions& options) const;
+
+  /// Warns where the time has no zone.
+  void WarnOfZone(const Talk& talk) const;
+};
+
+/// The sun at one place. Angles in degrees.
+struct SunLight
+{
+  bool FromTime = false;           ///< by --time
+  bool TrueNorth = false;          ///< the place is known, and with it true north
+  double GridAzimuth = 315.0;      ///< clockwise from the image's +y, 0 up to 360
+  double SkyAzimuth = 315.0;       ///< on the ground from the image's +y, as light maps count
+  double TrueAzimuth = 315.0;      ///< clockwise from true north, 0 up to 360, if TrueNorth
+  double Elevation = 45.0;         ///< without air; the same as below when given by --sun
+  double ApparentElevation = 45.0; ///< lifted by the air
+  double Radius = 0.0;             ///< of the disc
+};
+
+/// The sun over the centre of the terrain, at `height` metres. Without --time and --sun: azimuth
+/// 315 from grid north, elevation 45. Throws Failure for --time without a place on the Earth, and what
+/// ParseUtcTime and ComputeSun throw.
+SunLight FindSun(const SunOptions& options, const Georeference& place, double height);
+
+/// Gives that sun to the filter: by time, so that it differs from post to post, or by direction.
+void ApplySun(const SunOptions& options, const SunLight& sun, vtkHeightFieldSunShadow* shadow);
+
+} // namespace skyline
+
+#endif
