@@ -155,7 +155,8 @@ inline OracleField Steps(
   {
     for (std::ptrdiff_t i = 0; i < columns; ++i)
     {
-      field.At(i, j) = rise * static_cast<double>(i / tread);
+      const std::ptrdiff_t step = i / tread;
+      field.At(i, j) = rise * static_cast<double>(step);
     }
   }
   return field;
@@ -201,8 +202,9 @@ inline OracleField ConesInRows(
   OracleField field(columns, rows, spacing, spacing);
   for (int k = 0; k < 9; ++k)
   {
+    const int row = k / 3;
     AddCone(field, static_cast<double>(columns) * (1 + k % 3) / 4.0,
-      static_cast<double>(rows) * (1 + k / 3) / 4.0, radius, height);
+      static_cast<double>(rows) * (1 + row) / 4.0, radius, height);
   }
   return field;
 }
@@ -351,7 +353,7 @@ inline OracleField Fractal(std::ptrdiff_t columns, std::ptrdiff_t rows, double s
   at(size, 0) = jitter();
   at(0, size) = jitter();
   at(size, size) = jitter();
-  for (std::ptrdiff_t step = size; step > 1; step /= 2, amplitude *= roughness)
+  for (std::ptrdiff_t step = size; step > 1; step /= 2)
   {
     const std::ptrdiff_t half = step / 2;
     for (std::ptrdiff_t j = half; j < n; j += step)
@@ -383,6 +385,7 @@ inline OracleField Fractal(std::ptrdiff_t columns, std::ptrdiff_t rows, double s
         at(i, j) = sum / count + jitter();
       }
     }
+    amplitude *= roughness;
   }
   OracleField field(columns, rows, spacing, spacing);
   double low = std::numeric_limits<double>::infinity();
