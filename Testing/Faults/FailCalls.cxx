@@ -43,6 +43,7 @@ Function* Original(const char* name)
 #define SKYLINE_NEXT(result, name, parameters)                                                     \
   static auto* const next = Original<result parameters>(#name)
 
+// The arguments of a call come in their parentheses: NOLINTBEGIN(bugprone-macro-parentheses)
 #define SKYLINE_FAIL(kind, result, failure, name, parameters, arguments)                           \
   SKYLINE_INSTEAD_OF(result, name, parameters)                                                     \
   {                                                                                                \
@@ -120,6 +121,7 @@ SKYLINE_FAIL(Write, int, EOF, fflush, (FILE * file), (file))
     return fault == Fault::None ? result : failure;                                                \
   }
 
+// NOLINTEND(bugprone-macro-parentheses)
 SKYLINE_FAIL_CLOSE(close, -1, (int file), (file))
 SKYLINE_FAIL_CLOSE(fclose, EOF, (FILE * file), (file))
 

@@ -91,9 +91,9 @@ __attribute__((constructor)) void ReadPlan()
   Plan.Short = std::strcmp(error, "short") == 0;
   if (std::strncmp(error, "signal ", 7) == 0)
   {
-    Plan.Signal = std::atoi(error + 7);
+    Plan.Signal = static_cast<int>(std::strtol(error + 7, nullptr, 10));
   }
-  else if (const int number = std::atoi(error))
+  else if (const int number = static_cast<int>(std::strtol(error, nullptr, 10)))
   {
     Plan.Error = number;
   }
