@@ -25,7 +25,8 @@ constexpr double OneAzimuth = 1.001 / Azimuths;
 
 constexpr float Along(int quarters)
 {
-  return static_cast<float>(quarters * Azimuths / 4 + 1) / Azimuths;
+  const int whole = quarters * Azimuths / 4;
+  return static_cast<float>(whole + 1) / Azimuths;
 }
 
 class Trust
