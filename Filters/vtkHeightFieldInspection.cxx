@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldInspection.h"
 
-#include "Data/vtkSkylineGeoreference.h"
-#include "Data/vtkSkylineWarning.h"
+#include "Data/ImageGeoreference.h"
+#include "Data/Warnings.h"
 #include "Geo/LooksLikeDegrees.h"
 #include "HeightField/HeightCensus.h"
 #include "vtkArrayDispatch.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowHeightMap.h"
 
-#include "Data/vtkSkylineWarning.h"
+#include "Data/Warnings.h"
 #include "HorizonScene.h"
 #include "ShadowHeight/ShadowHeight.h"
 #include "ShadowHeight/ShadowHeightSweep.h"

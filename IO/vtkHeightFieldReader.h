@@ -15,7 +15,7 @@
  * band's, else that of the CRS's vertical part, else metres; heights count upwards even where the
  * CRS speaks of depths.
  *
- * Field data carries the georeference (vtkSkylineGeoreference.h) of the extent that was delivered,
+ * Field data carries the georeference (ImageGeoreference.h) of the extent that was delivered,
  * which is the extent asked for: only that part of the file is read. Spacing and RowSpacing are the
  * whole raster's, so that a part is what the whole has there. NodataValue is the value the file
  * declares for missing posts, else the first finite one of AddNodata.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLightMapReader.h"
 
-#include "Data/vtkLightMapImage.h"
-#include "Data/vtkSkylineWarning.h"
+#include "Data/LightMapImage.h"
+#include "Data/Warnings.h"
 #include "ImageLibrary.h"
 #include "ReadGuard.h"
 

@@ -12,7 +12,7 @@
 #include "Sky/LightAzimuths.h"
 #include "Sky/SkyModel.h"
 
-#include "Data/vtkLightMapImage.h"
+#include "Data/LightMapImage.h"
 #include "vtkHeightFieldReader.h"
 #include "vtkLightMapReader.h"
 

@@ -4,6 +4,7 @@
 //
 //   SkylineLightTimes [largest side in posts, default 1024] [largest on the graphics processor, default 512]
 #include "Reference/FieldImage.h"
+#include "Reference/Shapes.h"
 
 #include "vtkHeightFieldHorizon.h"
 #include "vtkHeightFieldIrradiance.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLightMapReader.h"
 
-#include "Data/vtkLightMapImage.h"
+#include "Data/LightMapImage.h"
 #include "IoTesting.h"
 #include "Sky/LightMap.h"
 #include "Testing/Module/Sky/LightMapTesting.h"

@@ -3,7 +3,7 @@
 // irradiance. Prints the table of Documentation/harmonics.md.
 #include "Sky/LightMap.h"
 
-#include "Data/vtkLightMapImage.h"
+#include "Data/LightMapImage.h"
 #include "Harmonics/SphericalHarmonics.h"
 #include "Shared/Constants.h"
 #include "Testing/Module/Harmonics/SphereQuadrature.h"

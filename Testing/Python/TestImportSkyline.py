@@ -8,7 +8,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 CLASSES = [
-    "vtkHeightFieldReader", "vtkHeightFieldSink", "vtkHeightFieldWriter",
+    "vtkHeightFieldReader", "vtkHeightFieldFileWriter", "vtkHeightFieldWriter",
     "vtkHeightFieldPictureWriter",
     "vtkHeightFieldAlgorithm", "vtkHeightFieldHorizon", "vtkHeightFieldSkyView",
     "vtkHeightFieldSunShadow", "vtkHeightFieldShading", "vtkHeightFieldSkyLight",

@@ -5,7 +5,7 @@
 #include "vtkOpenGLHeightFieldHorizon.h"
 #include "vtkOpenGLShadowHeightMap.h"
 
-#include "Data/vtkSkylineGeoreference.h"
+#include "Data/ImageGeoreference.h"
 #include "vtkSkylineEGLWindow.h"
 
 namespace skyline

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Warnings about doubtful input, raised by the VTK object that met it.
-#ifndef vtkSkylineWarning_h
-#define vtkSkylineWarning_h
+#ifndef skyline_Warnings_h
+#define skyline_Warnings_h
 
 #include "Shared/Doubt.h"
 

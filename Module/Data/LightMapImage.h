@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A light map as a vtkImageData.
-#ifndef vtkLightMapImage_h
-#define vtkLightMapImage_h
+#ifndef skyline_LightMapImage_h
+#define skyline_LightMapImage_h
 
 #include "Sky/LightMap.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Data/vtkLightMapImage.h"
+#include "Data/LightMapImage.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"

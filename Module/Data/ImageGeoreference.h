@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The georeference of a height field as field data, so that it travels down a VTK pipeline.
-#ifndef vtkSkylineGeoreference_h
-#define vtkSkylineGeoreference_h
+#ifndef skyline_ImageGeoreference_h
+#define skyline_ImageGeoreference_h
 
 #include "Geo/Georeference.h"
 
