@@ -10,6 +10,7 @@
 #include "Horizon/Accumulator.h"
 #include "Horizon/HorizonMethod.h"
 #include "Shared/Doubt.h"
+#include "SkylineFiltersModule.h" // for the export macro
 #include "SlopeSearch.h"
 
 #include <cstdint>
@@ -43,7 +44,7 @@ enum class AzimuthAxes
 
 /// Built from a filter's input; throws std::invalid_argument with a one-line reason if that carries
 /// no surface. The image must outlive it.
-class HorizonScene
+class SKYLINEFILTERS_EXPORT HorizonScene
 {
 public:
   struct Options

@@ -4,6 +4,7 @@
 #define skyline_LightMapImage_h
 
 #include "Sky/LightMap.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 class vtkImageData;
 
@@ -18,7 +19,7 @@ constexpr const char* RadianceArrayName = "Radiance";
 /// vtkLightMapReader makes them, else std::invalid_argument with a one-line reason. The values are
 /// taken as they are: finite and not negative from the reader; others are mended first
 /// (SanitizeLightMap).
-LightMap ViewLightMap(vtkImageData* image);
+SKYLINECORE_EXPORT LightMap ViewLightMap(vtkImageData* image);
 
 } // namespace skyline
 

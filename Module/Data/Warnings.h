@@ -4,6 +4,7 @@
 #define skyline_Warnings_h
 
 #include "Shared/Doubt.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 class vtkObject;
 
@@ -13,7 +14,7 @@ namespace skyline
 /// Raises the doubt as a WarningEvent of `object`, as vtkWarningMacro does. The command line prints it
 /// once on standard error as "warning: ..." (--quiet: not at all), Python raises a UserWarning, and
 /// ParaView shows it in its output window. Call it from the thread that executes the pipeline.
-void Warn(vtkObject* object, const Doubt& doubt);
+SKYLINECORE_EXPORT void Warn(vtkObject* object, const Doubt& doubt);
 
 } // namespace skyline
 

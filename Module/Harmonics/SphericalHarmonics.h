@@ -13,6 +13,8 @@
 #ifndef skyline_SphericalHarmonics_h
 #define skyline_SphericalHarmonics_h
 
+#include "SkylineCoreModule.h" // for the export macro
+
 namespace skyline
 {
 
@@ -55,14 +57,14 @@ void RotateZonal(int bands, const Real* zonal, Real x, Real y, Real z, Real* out
 /// The coefficient of Y_l,0 of max(0, z), any l >= 0. Its convolution with radiance is irradiance:
 /// E(n) = sum of A_l L_l,m Y_l,m(n) with A_l = sqrt(4 pi / (2 l + 1)) times this (pi, 2 pi / 3,
 /// pi / 4, 0, ...). Ramamoorthi & Hanrahan 2001, equations 7 and 8.
-double ClampedCosineZonal(int l);
+SKYLINECORE_EXPORT double ClampedCosineZonal(int l);
 
 /// The coefficient of Y_l,0 of the function that is 1 above the horizontal plane and 0 below.
-double HemisphereZonal(int l);
+SKYLINECORE_EXPORT double HemisphereZonal(int l);
 
 /// The coefficient of Y_l,0 of the function that is 1 on the cap around the zenith whose rim has the
 /// given cosine of its angular radius, -1 (the sphere) to 1 (nothing), and 0 elsewhere.
-double CapZonal(int l, double cosRadius);
+SKYLINECORE_EXPORT double CapZonal(int l, double cosRadius);
 
 } // namespace skyline
 
