@@ -10,6 +10,7 @@
 #include "Horizon/Accumulator.h"
 #include "Horizon/HorizonMethod.h"
 #include "Shared/Doubt.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineFiltersModule.h" // for the export macro
 #include "SlopeSearch.h"
 
@@ -19,9 +20,11 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkFloatArray;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

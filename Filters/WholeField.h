@@ -3,10 +3,13 @@
 #ifndef skyline_WholeField_h
 #define skyline_WholeField_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineFiltersModule.h" // For the export macro
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkInformation;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -14,6 +14,7 @@
 #ifndef vtkHeightFieldAlgorithm_h
 #define vtkHeightFieldAlgorithm_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineFiltersModule.h"
 #include "vtkImageAlgorithm.h"
 
@@ -25,6 +26,8 @@ namespace skyline
 class HorizonScene;
 struct KeptPyramid;
 } // namespace skyline
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 
 class SKYLINEFILTERS_EXPORT vtkHeightFieldAlgorithm : public vtkImageAlgorithm
@@ -143,5 +146,6 @@ private:
 
   std::unique_ptr<skyline::KeptPyramid> Kept;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

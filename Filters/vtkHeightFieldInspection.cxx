@@ -77,3 +77,8 @@ void vtkHeightFieldInspection::Inspect(vtkImageData* heightField, const char* su
     skyline::Warn(this, { name + text.data(), assumed.data(), "a transform and a CRS" });
   }
 }
+
+void vtkHeightFieldInspection::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

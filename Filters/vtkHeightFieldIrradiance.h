@@ -19,17 +19,20 @@
 #ifndef vtkHeightFieldIrradiance_h
 #define vtkHeightFieldIrradiance_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkHeightFieldAlgorithm.h"
 
 #include <memory>
 #include <vector>
 
-class vtkSkylineLight;
 namespace skyline
 {
 class HarmonicLight;
 struct LitPosts;
 } // namespace skyline
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkSkylineLight;
 
 class SKYLINEFILTERS_EXPORT vtkHeightFieldIrradiance : public vtkHeightFieldAlgorithm
 {
@@ -162,5 +165,6 @@ private:
   struct Internal;
   std::unique_ptr<Internal> Internals;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

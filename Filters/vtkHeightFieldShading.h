@@ -20,12 +20,14 @@
 #ifndef vtkHeightFieldShading_h
 #define vtkHeightFieldShading_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineFiltersModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 #include "vtkSmartPointer.h" // For LookupTable
 
 #include <string> // For names
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkScalarsToColors;
 
 class SKYLINEFILTERS_EXPORT vtkHeightFieldShading : public vtkImageAlgorithm
@@ -190,5 +192,6 @@ private:
   vtkHeightFieldShading(const vtkHeightFieldShading&) = delete;
   void operator=(const vtkHeightFieldShading&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

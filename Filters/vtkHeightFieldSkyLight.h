@@ -11,9 +11,11 @@
 #ifndef vtkHeightFieldSkyLight_h
 #define vtkHeightFieldSkyLight_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineFiltersModule.h" // for the export macro
 #include "vtkHeightFieldAlgorithm.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkHeightFieldSkyLight : public vtkHeightFieldAlgorithm
 {
 public:
@@ -47,5 +49,6 @@ private:
   vtkHeightFieldSkyLight(const vtkHeightFieldSkyLight&) = delete;
   void operator=(const vtkHeightFieldSkyLight&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -27,6 +27,7 @@
 #ifndef vtkShadowHeightMap_h
 #define vtkShadowHeightMap_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkHeightFieldAlgorithm.h"
 
 #include <memory> // For MakeMethod
@@ -36,6 +37,7 @@ namespace skyline
 class HorizonMethod;
 }
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkShadowHeightMap : public vtkHeightFieldAlgorithm
 {
 public:
@@ -75,6 +77,9 @@ public:
   ///@}
 
 protected:
+  vtkShadowHeightMap() = default;
+  ~vtkShadowHeightMap() override = default;
+
   bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
 
 #ifndef __VTK_WRAP__
@@ -91,9 +96,13 @@ protected:
   bool BelowTerrain = false;
 
 private:
+  vtkShadowHeightMap(const vtkShadowHeightMap&) = delete;
+  void operator=(const vtkShadowHeightMap&) = delete;
+
   // The shadow heights of a light of the elevation (radians); infinite unless it has risen.
   bool AddShadow(skyline::HorizonScene& scene, vtkImageData* output, const char* name,
     double elevation, bool risen, bool belowTerrain);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

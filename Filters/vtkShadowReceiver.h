@@ -19,9 +19,11 @@
 #ifndef vtkShadowReceiver_h
 #define vtkShadowReceiver_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineFiltersModule.h"
 #include "vtkPointSetAlgorithm.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;
 class vtkImageData;
 
@@ -60,5 +62,6 @@ private:
   vtkShadowReceiver(const vtkShadowReceiver&) = delete;
   void operator=(const vtkShadowReceiver&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -9,17 +9,20 @@
 #ifndef vtkSkylineEnvironmentLight_h
 #define vtkSkylineEnvironmentLight_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSkylineLight.h"
 
 #include "vtkSmartPointer.h"
 
 #include <vector>
 
-class vtkImageData;
 namespace skyline
 {
 struct TurnedLightMap;
 }
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkImageData;
 
 class SKYLINEFILTERS_EXPORT vtkSkylineEnvironmentLight : public vtkSkylineLight
 {
@@ -122,5 +125,6 @@ private:
   bool PixelsAreImage = false;
   vtkMTimeType PixelTime = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

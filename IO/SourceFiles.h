@@ -3,12 +3,15 @@
 #ifndef skyline_SourceFiles_h
 #define skyline_SourceFiles_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineIOModule.h" // for the export macro
 
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

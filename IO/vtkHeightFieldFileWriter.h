@@ -16,18 +16,21 @@
 #ifndef vtkHeightFieldFileWriter_h
 #define vtkHeightFieldFileWriter_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineIOModule.h" // for the export macro
 #include "vtkWriter.h"
 
 #include <string> // for messages
 
-class vtkDataArray;
-class vtkImageData;
-
 namespace skyline
 {
 class AtomicFile;
 }
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+class vtkImageData;
+
 
 class SKYLINEIO_EXPORT vtkHeightFieldFileWriter : public vtkWriter
 {
@@ -82,5 +85,6 @@ private:
   char* FileName = nullptr;
   bool Written = false;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -15,8 +15,10 @@
 #ifndef vtkHeightFieldPictureWriter_h
 #define vtkHeightFieldPictureWriter_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkHeightFieldFileWriter.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEIO_EXPORT vtkHeightFieldPictureWriter : public vtkHeightFieldFileWriter
 {
 public:
@@ -57,5 +59,6 @@ private:
   char* ArrayName = nullptr;
   bool HalfPrecision = false;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

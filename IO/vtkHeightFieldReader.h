@@ -42,6 +42,7 @@
 #ifndef vtkHeightFieldReader_h
 #define vtkHeightFieldReader_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineIOModule.h" // for the export macro
 #include "vtkImageAlgorithm.h"
 
@@ -54,6 +55,7 @@ namespace skyline
 struct SourcePolicy;
 } // namespace skyline
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEIO_EXPORT vtkHeightFieldReader : public vtkImageAlgorithm
 {
 public:
@@ -148,5 +150,6 @@ private:
   struct Inside;
   std::unique_ptr<Inside> Parts;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -16,12 +16,14 @@
 #ifndef vtkHeightFieldWriter_h
 #define vtkHeightFieldWriter_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkHeightFieldFileWriter.h"
 
 #include <map>    // for band texts
 #include <string> // for array names
 #include <vector> // for array names
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEIO_EXPORT vtkHeightFieldWriter : public vtkHeightFieldFileWriter
 {
 public:
@@ -76,5 +78,6 @@ private:
   std::map<int, std::string> Units;
   bool CloudOptimized = false;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -30,9 +30,11 @@
 #ifndef vtkLightMapReader_h
 #define vtkLightMapReader_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineIOModule.h" // for the export macro
 #include "vtkImageAlgorithm.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEIO_EXPORT vtkLightMapReader : public vtkImageAlgorithm
 {
 public:
@@ -80,5 +82,6 @@ private:
   vtkIdType NumberOfNaNPixels = 0;
   vtkIdType NumberOfInfinitePixels = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

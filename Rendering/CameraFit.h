@@ -3,12 +3,15 @@
 #ifndef skyline_CameraFit_h
 #define skyline_CameraFit_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineRenderingModule.h" // For the export macro
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCamera;
 class vtkPoints;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

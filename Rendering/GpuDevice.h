@@ -4,6 +4,7 @@
 #ifndef skyline_GpuDevice_h
 #define skyline_GpuDevice_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
@@ -13,12 +14,14 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkRenderWindow;
 class vtkShaderProgram;
 class vtkTextureObject;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

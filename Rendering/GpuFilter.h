@@ -5,6 +5,7 @@
 
 #include "GpuHarmonics.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkOpenGLHeightFieldDevice.h"
 
 #include "vtkSmartPointer.h"
@@ -14,7 +15,9 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

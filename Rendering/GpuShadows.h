@@ -10,6 +10,7 @@
 #include "ShadowHeight/ShadowHeight.h"
 #include "ShadowHeight/ShadowHeightSweep.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkType.h"
 
 #include <functional>
@@ -17,8 +18,10 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkObject;
 class vtkOpenGLHeightFieldDevice;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -3,13 +3,16 @@
 #ifndef skyline_OffscreenWindow_h
 #define skyline_OffscreenWindow_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineRenderingModule.h" // For the export macro
 
 #include "vtkSmartPointer.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

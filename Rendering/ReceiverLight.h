@@ -6,6 +6,7 @@
 #include "PostTexture.h"
 #include "VertexRow.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkShader.h"
 
 #include <array>
@@ -13,10 +14,12 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkImageData;
 class vtkMatrix4x4;
 class vtkOpenGLRenderWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -18,11 +18,13 @@
 #ifndef vtkOpenGLHeightFieldIrradiance_h
 #define vtkOpenGLHeightFieldIrradiance_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkHeightFieldIrradiance.h"
 
 #include <memory> // For Gpu
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLHeightFieldDevice;
 class vtkTextureObject;
 
@@ -86,5 +88,6 @@ private:
   bool MeasurePasses = false;
   std::unique_ptr<Internals> Inside;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -15,6 +15,7 @@
 #ifndef vtkOpenGLShadowHeightMap_h
 #define vtkOpenGLShadowHeightMap_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkShadowHeightMap.h"
 #include "vtkSmartPointer.h" // For Device
@@ -26,6 +27,8 @@ namespace skyline
 class GpuShadows;
 class GpuShadowSource;
 } // namespace skyline
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLHeightFieldDevice;
 
 class SKYLINERENDERING_EXPORT vtkOpenGLShadowHeightMap : public vtkShadowHeightMap
@@ -66,5 +69,6 @@ private:
   std::unique_ptr<skyline::GpuShadowSource> Source;
   skyline::GpuShadows* Passes = nullptr; // of the execution
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -14,6 +14,7 @@
 #ifndef vtkSkylineEGLWindow_h
 #define vtkSkylineEGLWindow_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkVersionMacros.h" // For OpenGLInitContext
@@ -26,6 +27,7 @@ namespace skyline
 class HeadlessContext;
 }
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINERENDERING_EXPORT vtkSkylineEGLWindow : public vtkGenericOpenGLRenderWindow
 {
 public:
@@ -86,5 +88,6 @@ private:
   vtkSkylineEGLWindow(const vtkSkylineEGLWindow&) = delete;
   void operator=(const vtkSkylineEGLWindow&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -20,6 +20,7 @@
 #ifndef vtkSoftShadowPolyDataMapper_h
 #define vtkSoftShadowPolyDataMapper_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkSmartPointer.h" // For Shader
@@ -27,6 +28,7 @@
 #include <map>    // For ReplaceShaderValues
 #include <string> // For Reported
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkSoftShadowShader;
 
 class SKYLINERENDERING_EXPORT vtkSoftShadowPolyDataMapper : public vtkOpenGLPolyDataMapper
@@ -81,5 +83,6 @@ private:
   vtkSoftShadowPolyDataMapper(const vtkSoftShadowPolyDataMapper&) = delete;
   void operator=(const vtkSoftShadowPolyDataMapper&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -525,6 +525,18 @@ void vtkSoftShadowShader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VisibilityArrayName: " << this->VisibilityArrayName << "\n";
   os << indent << "LampArrayName: " << this->LampArrayName << "\n";
   os << indent << "ElevationArrayName: " << this->ElevationArrayName << "\n";
+  const auto print = [&](const char* name, const skyline::LightColor& color)
+  { os << indent << name << ": " << color[0] << " " << color[1] << " " << color[2] << "\n"; };
+  for (const skyline::LightColor& coefficient : this->Inside->Light)
+  {
+    print("LightCoefficient", coefficient);
+  }
+  for (const skyline::LightColor& radiance : this->Inside->LampRadiance)
+  {
+    print("LampRadiance", radiance);
+  }
+  print("SunIrradiance", this->Inside->Receiver.Sun);
+  os << indent << "IrradianceTexture: " << this->Inside->IrradianceTexture.GetPointer() << "\n";
   os << indent << "PenumbraDepth: " << this->Inside->Receiver.PenumbraDepth << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "ToneMapping: " << this->ToneMapping << "\n";

@@ -33,6 +33,7 @@
 #ifndef vtkSoftShadowShader_h
 #define vtkSoftShadowShader_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkObject.h"
 #include "vtkShader.h"       // For ReplaceShaderValues
@@ -42,6 +43,7 @@
 #include <memory> // For Internals
 #include <string> // For names
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;
 class vtkImageData;
 class vtkMatrix4x4;
@@ -255,5 +257,6 @@ private:
   vtkSoftShadowShader(const vtkSoftShadowShader&) = delete;
   void operator=(const vtkSoftShadowShader&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

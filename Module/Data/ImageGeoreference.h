@@ -4,10 +4,13 @@
 #define skyline_ImageGeoreference_h
 
 #include "Geo/Georeference.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineCoreModule.h" // for the export macro
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

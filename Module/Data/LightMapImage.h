@@ -4,9 +4,12 @@
 #define skyline_LightMapImage_h
 
 #include "Sky/LightMap.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineCoreModule.h" // for the export macro
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

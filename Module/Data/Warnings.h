@@ -4,9 +4,12 @@
 #define skyline_Warnings_h
 
 #include "Shared/Doubt.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineCoreModule.h" // for the export macro
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkObject;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -185,5 +185,9 @@ void vtkPVHeightFieldIrradiance::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Sky: " << this->Sky << "\n"
      << indent << "EnvironmentFile: " << this->EnvironmentFile << "\n"
      << indent << "Rotation: " << this->Rotation << "\n"
-     << indent << "Lamps: " << this->Lamps.size() << "\n";
+     << indent << "Lamps: " << this->Lamps.size() << "\n"
+     << indent << "SunLight:\n";
+  this->SunLight->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "SkyLight:\n";
+  this->SkyLight->PrintSelf(os, indent.GetNextIndent());
 }

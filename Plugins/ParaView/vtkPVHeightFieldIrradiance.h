@@ -9,6 +9,7 @@
 #ifndef vtkPVHeightFieldIrradiance_h
 #define vtkPVHeightFieldIrradiance_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineParaViewModule.h" // For export macro
 #include "vtkHeightFieldIrradiance.h"
 #include "vtkNew.h"          // For the lights
@@ -17,6 +18,7 @@
 #include <string> // For Time
 #include <vector> // For Lamps
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkSkylineEnvironmentLight;
 class vtkSkylineLampLight;
 class vtkSkylineSunLight;
@@ -124,5 +126,6 @@ private:
   vtkPVHeightFieldIrradiance(const vtkPVHeightFieldIrradiance&) = delete;
   void operator=(const vtkPVHeightFieldIrradiance&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

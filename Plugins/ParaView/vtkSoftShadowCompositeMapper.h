@@ -9,6 +9,7 @@
 #ifndef vtkSoftShadowCompositeMapper_h
 #define vtkSoftShadowCompositeMapper_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineParaViewModule.h" // For export macro
 #include "vtkSmartPointer.h"       // For Shader
 #include "vtkVersionMacros.h"
@@ -18,9 +19,14 @@
 // ParaView 5.12 and later batch the blocks by another class of VTK than 5.11.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 #include "vtkCompositePolyDataMapper.h"
-using vtkSoftShadowCompositeBase = vtkCompositePolyDataMapper;
 #else
 #include "vtkCompositePolyDataMapper2.h"
+#endif
+
+VTK_ABI_NAMESPACE_BEGIN
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+using vtkSoftShadowCompositeBase = vtkCompositePolyDataMapper;
+#else
 using vtkSoftShadowCompositeBase = vtkCompositePolyDataMapper2;
 class vtkCompositeMapperHelper2;
 #endif
@@ -62,5 +68,6 @@ private:
   vtkSoftShadowCompositeMapper(const vtkSoftShadowCompositeMapper&) = delete;
   void operator=(const vtkSoftShadowCompositeMapper&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

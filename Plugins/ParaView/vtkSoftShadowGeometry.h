@@ -11,11 +11,13 @@
 #ifndef vtkSoftShadowGeometry_h
 #define vtkSoftShadowGeometry_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineParaViewModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <string> // For names
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEPARAVIEW_EXPORT vtkSoftShadowGeometry : public vtkPolyDataAlgorithm
 {
 public:
@@ -63,5 +65,6 @@ private:
   vtkSoftShadowGeometry(const vtkSoftShadowGeometry&) = delete;
   void operator=(const vtkSoftShadowGeometry&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -209,9 +209,14 @@ void vtkSoftShadowRepresentation::UpdateLight()
 void vtkSoftShadowRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "KeyAzimuth: " << this->KeyAzimuth << "\n"
+  os << indent << "LightMode: " << this->LightMode << "\n"
+     << indent << "KeyAzimuth: " << this->KeyAzimuth << "\n"
      << indent << "KeyElevation: " << this->KeyElevation << "\n"
      << indent << "KeyRadius: " << this->KeyRadius << "\n"
+     << indent << "KeyIrradiance: " << this->KeyIrradiance[0] << " " << this->KeyIrradiance[1] << " "
+     << this->KeyIrradiance[2] << "\n"
+     << indent << "SkyRadiance: " << this->SkyRadiance[0] << " " << this->SkyRadiance[1] << " "
+     << this->SkyRadiance[2] << "\n"
      << indent << "Exposure: " << this->Exposure << "\n"
      << indent << "AutoExposure: " << this->AutoExposure << "\n";
 }

@@ -12,10 +12,12 @@
 #ifndef vtkSoftShadowRepresentation_h
 #define vtkSoftShadowRepresentation_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineParaViewModule.h" // For export macro
 #include "vtkGeometryRepresentationWithFaces.h"
 #include "vtkNew.h" // For Shader
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkSoftShadowGeometry;
 class vtkSoftShadowShader;
 
@@ -90,5 +92,6 @@ private:
   vtkSoftShadowRepresentation(const vtkSoftShadowRepresentation&) = delete;
   void operator=(const vtkSoftShadowRepresentation&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

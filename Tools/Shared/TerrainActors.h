@@ -3,10 +3,12 @@
 #ifndef skyline_TerrainActors_h
 #define skyline_TerrainActors_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
 #include <array>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkAlgorithm;
 class vtkHeightFieldSurface;
@@ -15,6 +17,7 @@ class vtkMapper;
 class vtkPolyData;
 class vtkRenderer;
 class vtkSoftShadowPolyDataMapper;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

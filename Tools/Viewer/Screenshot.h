@@ -3,11 +3,15 @@
 #ifndef skyline_Screenshot_h
 #define skyline_Screenshot_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderWindow;
 class vtkRenderer;
 class vtkSoftShadowShader;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -8,17 +8,20 @@
 #include "SkyDome.h"
 #include "ViewerState.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
 #include <memory>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkImageData;
 class vtkPoints;
 class vtkRenderer;
 class vtkSoftShadowPolyDataMapper;
 class vtkSoftShadowShader;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {
