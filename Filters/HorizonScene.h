@@ -10,9 +10,9 @@
 #include "Horizon/Accumulator.h"
 #include "Horizon/HorizonMethod.h"
 #include "Shared/Doubt.h"
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineFiltersModule.h" // for the export macro
 #include "SlopeSearch.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <cstdint>
 #include <functional>

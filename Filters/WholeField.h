@@ -3,8 +3,8 @@
 #ifndef skyline_WholeField_h
 #define skyline_WholeField_h
 
+#include "SkylineFiltersModule.h"   // For the export macro
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
-#include "SkylineFiltersModule.h" // For the export macro
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;

@@ -14,9 +14,9 @@
 #ifndef vtkHeightFieldAlgorithm_h
 #define vtkHeightFieldAlgorithm_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineFiltersModule.h"
 #include "vtkImageAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <memory> // For Kept
 #include <string>

@@ -15,9 +15,9 @@
 #ifndef vtkHeightFieldCap_h
 #define vtkHeightFieldCap_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineFiltersModule.h"
 #include "vtkImageAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;

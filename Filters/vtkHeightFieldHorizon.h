@@ -11,8 +11,8 @@
 #ifndef vtkHeightFieldHorizon_h
 #define vtkHeightFieldHorizon_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkHeightFieldAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <vector> // For azimuths
 

@@ -10,9 +10,9 @@
 #ifndef vtkHeightFieldInspection_h
 #define vtkHeightFieldInspection_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineFiltersModule.h" // for the export macro
 #include "vtkObject.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;

@@ -19,8 +19,8 @@
 #ifndef vtkHeightFieldIrradiance_h
 #define vtkHeightFieldIrradiance_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkHeightFieldAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <memory>
 #include <vector>

@@ -20,10 +20,10 @@
 #ifndef vtkHeightFieldShading_h
 #define vtkHeightFieldShading_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineFiltersModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
-#include "vtkSmartPointer.h" // For LookupTable
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+#include "vtkSmartPointer.h"        // For LookupTable
 
 #include <string> // For names
 

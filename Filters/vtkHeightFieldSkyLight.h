@@ -11,9 +11,9 @@
 #ifndef vtkHeightFieldSkyLight_h
 #define vtkHeightFieldSkyLight_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineFiltersModule.h" // for the export macro
 #include "vtkHeightFieldAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkHeightFieldSkyLight : public vtkHeightFieldAlgorithm

@@ -19,8 +19,8 @@
 #ifndef vtkHeightFieldSkyView_h
 #define vtkHeightFieldSkyView_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkHeightFieldAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 namespace skyline
 {

@@ -15,8 +15,8 @@
 #ifndef vtkHeightFieldSunShadow_h
 #define vtkHeightFieldSunShadow_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkHeightFieldAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <string>
 

@@ -17,9 +17,9 @@
 #ifndef vtkHeightFieldSurface_h
 #define vtkHeightFieldSurface_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkHeightFieldSurface : public vtkPolyDataAlgorithm

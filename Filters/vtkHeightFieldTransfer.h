@@ -12,8 +12,8 @@
 #ifndef vtkHeightFieldTransfer_h
 #define vtkHeightFieldTransfer_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkHeightFieldVisibility.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkHeightFieldTransfer : public vtkHeightFieldVisibility

@@ -14,8 +14,8 @@
 #ifndef vtkHeightFieldVisibility_h
 #define vtkHeightFieldVisibility_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkHeightFieldAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <vector> // For azimuths
 

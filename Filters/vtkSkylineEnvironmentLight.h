@@ -56,7 +56,7 @@ public:
   ///@}
 
   ///@{
-  /// A light map as vtkLightMapReader gives it: "Radiance", three floats a pixel,
+  /// A light map as vtkSkylineLightMapReader gives it: "Radiance", three floats a pixel,
   /// latitude-longitude, the centre column north. Negative and NaN pixels count as 0. Setting one
   /// sets Source to IMAGE.
   void SetImage(vtkImageData* image);

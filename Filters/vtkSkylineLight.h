@@ -9,9 +9,9 @@
 #ifndef vtkSkylineLight_h
 #define vtkSkylineLight_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineFiltersModule.h" // for the export macro
 #include "vtkObject.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkSkylineLight : public vtkObject

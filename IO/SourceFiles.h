@@ -3,8 +3,8 @@
 #ifndef skyline_SourceFiles_h
 #define skyline_SourceFiles_h
 
+#include "SkylineIOModule.h"        // for the export macro
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
-#include "SkylineIOModule.h" // for the export macro
 
 #include <string>
 #include <vector>

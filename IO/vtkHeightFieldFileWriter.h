@@ -16,8 +16,8 @@
 #ifndef vtkHeightFieldFileWriter_h
 #define vtkHeightFieldFileWriter_h
 
+#include "SkylineIOModule.h"        // for the export macro
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
-#include "SkylineIOModule.h" // for the export macro
 #include "vtkWriter.h"
 
 #include <string> // for messages
@@ -30,7 +30,6 @@ class AtomicFile;
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkImageData;
-
 
 class SKYLINEIO_EXPORT vtkHeightFieldFileWriter : public vtkWriter
 {

@@ -15,8 +15,8 @@
 #ifndef vtkHeightFieldPictureWriter_h
 #define vtkHeightFieldPictureWriter_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkHeightFieldFileWriter.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEIO_EXPORT vtkHeightFieldPictureWriter : public vtkHeightFieldFileWriter

@@ -42,9 +42,9 @@
 #ifndef vtkHeightFieldReader_h
 #define vtkHeightFieldReader_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineIOModule.h" // for the export macro
 #include "vtkImageAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <memory> // for the private parts
 #include <string>

@@ -16,8 +16,8 @@
 #ifndef vtkHeightFieldWriter_h
 #define vtkHeightFieldWriter_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkHeightFieldFileWriter.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <map>    // for band texts
 #include <string> // for array names

@@ -3,8 +3,8 @@
 #ifndef skyline_CameraFit_h
 #define skyline_CameraFit_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineRenderingModule.h" // For the export macro
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <vector>
 

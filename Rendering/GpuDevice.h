@@ -4,8 +4,8 @@
 #ifndef skyline_GpuDevice_h
 #define skyline_GpuDevice_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkNew.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
 #include <cstddef>

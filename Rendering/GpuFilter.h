@@ -5,8 +5,8 @@
 
 #include "GpuHarmonics.h"
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkOpenGLHeightFieldDevice.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include "vtkSmartPointer.h"
 

@@ -83,7 +83,7 @@ private:
   std::string Told;
 };
 
-/// Method EXACT of vtkShadowHeightMap there.
+/// Method EXACT of vtkHeightFieldShadowHeight there.
 class GpuShadowExact : public ShadowHeightExact
 {
 public:
@@ -101,7 +101,7 @@ private:
   std::vector<float> Values; // empty: the host's
 };
 
-/// Method SWEEP of vtkShadowHeightMap there.
+/// Method SWEEP of vtkHeightFieldShadowHeight there.
 class GpuShadowSweep : public ShadowHeightSweep
 {
 public:

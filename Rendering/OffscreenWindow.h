@@ -3,8 +3,8 @@
 #ifndef skyline_OffscreenWindow_h
 #define skyline_OffscreenWindow_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineRenderingModule.h" // For the export macro
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include "vtkSmartPointer.h"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mode RECEIVER of vtkSoftShadowShader: shadow heights as a texture, and the sun behind them.
+// Mode RECEIVER of vtkSkylineSoftShadowShader: shadow heights as a texture, and the sun behind them.
 #ifndef skyline_ReceiverLight_h
 #define skyline_ReceiverLight_h
 
 #include "PostTexture.h"
 #include "VertexRow.h"
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkShader.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <array>
 #include <map>
@@ -27,7 +27,7 @@ namespace skyline
 class ReceiverLight
 {
 public:
-  /// Which normals a mesh has; vtkSoftShadowShader's NormalType.
+  /// Which normals a mesh has; vtkSkylineSoftShadowShader's NormalType.
   enum class Normals
   {
     Faces,

@@ -10,9 +10,9 @@
 #ifndef vtkOpenGLHeightFieldDevice_h
 #define vtkOpenGLHeightFieldDevice_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkObject.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <memory> // For Internals
 #include <string> // For GetReason

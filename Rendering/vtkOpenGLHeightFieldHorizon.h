@@ -16,9 +16,9 @@
 #ifndef vtkOpenGLHeightFieldHorizon_h
 #define vtkOpenGLHeightFieldHorizon_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkHeightFieldHorizon.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <memory> // For Gpu
 

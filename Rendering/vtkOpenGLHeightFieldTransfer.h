@@ -13,9 +13,9 @@
 #ifndef vtkOpenGLHeightFieldTransfer_h
 #define vtkOpenGLHeightFieldTransfer_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkHeightFieldTransfer.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <memory> // For Gpu
 

@@ -13,9 +13,9 @@
 #ifndef vtkOpenGLHeightFieldVisibility_h
 #define vtkOpenGLHeightFieldVisibility_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkHeightFieldVisibility.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <memory> // For Gpu
 

@@ -14,10 +14,10 @@
 #ifndef vtkSkylineEGLWindow_h
 #define vtkSkylineEGLWindow_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkGenericOpenGLRenderWindow.h"
-#include "vtkVersionMacros.h" // For OpenGLInitContext
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+#include "vtkVersionMacros.h"       // For OpenGLInitContext
 
 #include <memory> // For Context
 #include <string> // For GetReason

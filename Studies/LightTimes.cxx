@@ -11,7 +11,7 @@
 #include "vtkHeightFieldSkyView.h"
 #include "vtkOpenGLHeightFieldDevice.h"
 #include "vtkOpenGLHeightFieldHorizon.h"
-#include "vtkOpenGLShadowHeightMap.h"
+#include "vtkOpenGLHeightFieldShadowHeight.h"
 #include "vtkSkylineEnvironmentLight.h"
 
 #include <algorithm>
@@ -94,15 +94,15 @@ void Sweeps(
 {
   const int side = image->GetDimensions()[0];
   vtkNew<vtkHeightFieldHorizon> horizon;
-  vtkNew<vtkShadowHeightMap> shadow;
+  vtkNew<vtkHeightFieldShadowHeight> shadow;
   std::vector<vtkSmartPointer<vtkHeightFieldHorizon>> horizons{ horizon.Get() };
-  std::vector<vtkSmartPointer<vtkShadowHeightMap>> shadows{ shadow.Get() };
+  std::vector<vtkSmartPointer<vtkHeightFieldShadowHeight>> shadows{ shadow.Get() };
   if (device)
   {
     vtkNew<vtkOpenGLHeightFieldHorizon> otherHorizon;
     otherHorizon->SetDevice(device);
     horizons.emplace_back(otherHorizon);
-    vtkNew<vtkOpenGLShadowHeightMap> otherShadow;
+    vtkNew<vtkOpenGLHeightFieldShadowHeight> otherShadow;
     otherShadow->SetDevice(device);
     shadows.emplace_back(otherShadow);
   }

@@ -4,8 +4,8 @@
 #define skyline_ImageGeoreference_h
 
 #include "Geo/Georeference.h"
+#include "SkylineCoreModule.h"      // for the export macro
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
-#include "SkylineCoreModule.h" // for the export macro
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;

@@ -9,11 +9,11 @@
 #ifndef vtkPVHeightFieldIrradiance_h
 #define vtkPVHeightFieldIrradiance_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineParaViewModule.h" // For export macro
 #include "vtkHeightFieldIrradiance.h"
-#include "vtkNew.h"          // For the lights
-#include "vtkSmartPointer.h" // For Lamps
+#include "vtkNew.h"                 // For the lights
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+#include "vtkSmartPointer.h"        // For Lamps
 
 #include <string> // For Time
 #include <vector> // For Lamps
@@ -84,7 +84,7 @@ public:
   ///@}
 
   ///@{
-  /// A light map that vtkLightMapReader reads (.hdr, .exr), for FILE_SKY; read once.
+  /// A light map that vtkSkylineLightMapReader reads (.hdr, .exr), for FILE_SKY; read once.
   vtkSetMacro(EnvironmentFile, std::string);
   vtkGetMacro(EnvironmentFile, std::string);
   ///@}

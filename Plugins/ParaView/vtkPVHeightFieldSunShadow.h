@@ -8,9 +8,9 @@
 #ifndef vtkPVHeightFieldSunShadow_h
 #define vtkPVHeightFieldSunShadow_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineParaViewModule.h" // For export macro
 #include "vtkHeightFieldSunShadow.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEPARAVIEW_EXPORT vtkPVHeightFieldSunShadow : public vtkHeightFieldSunShadow

@@ -43,7 +43,7 @@ struct Look
   std::vector<Bulb> Bulbs;
 };
 
-/// Draws with vtkSoftShadowPolyDataMapper in a window that nobody sees.
+/// Draws with vtkSkylineSoftShadowPolyDataMapper in a window that nobody sees.
 class Studio
 {
 public:

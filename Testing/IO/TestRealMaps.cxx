@@ -9,7 +9,7 @@
 #include "Testing/Module/Harmonics/SphereQuadrature.h"
 #include "Testing/Module/NumberTable.h"
 #include "Testing/Module/Sky/LightMapTesting.h"
-#include "vtkLightMapReader.h"
+#include "vtkSkylineLightMapReader.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -57,7 +57,7 @@ protected:
     this->Original = std::string("pmndrs_") + GetParam() + ".hdr";
   }
 
-  vtkNew<vtkLightMapReader> Reader;
+  vtkNew<vtkSkylineLightMapReader> Reader;
   LightMap Map;
   std::string Original; ///< the name in the tables
 };

@@ -19,8 +19,8 @@ class vtkActor;
 class vtkImageData;
 class vtkPoints;
 class vtkRenderer;
-class vtkSoftShadowPolyDataMapper;
-class vtkSoftShadowShader;
+class vtkSkylineSoftShadowPolyDataMapper;
+class vtkSkylineSoftShadowShader;
 VTK_ABI_NAMESPACE_END
 
 namespace skyline
@@ -38,7 +38,7 @@ public:
 
   vtkRenderer* GetRenderer() const;
   vtkImageData* GetHeights() const;
-  vtkSoftShadowShader* GetShader() const;
+  vtkSkylineSoftShadowShader* GetShader() const;
 
   /// What vtkHeightFieldShading made of these heights, or of some of their posts.
   void SetLight(vtkImageData* lit);
@@ -89,7 +89,7 @@ private:
 
   vtkSmartPointer<vtkImageData> Heights;
   vtkSmartPointer<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkSoftShadowPolyDataMapper> Mapper; ///< its shader serves all
+  vtkSmartPointer<vtkSkylineSoftShadowPolyDataMapper> Mapper; ///< its shader serves all
   Mesh FineMesh, CoarseMesh;
   std::vector<vtkSmartPointer<vtkActor>> Balls;
   std::vector<ViewerLamp> Lamps;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkLightMapReader
+ * @class   vtkSkylineLightMapReader
  * @brief   reads a Radiance (.hdr) or OpenEXR file as a light map
  *
  * The output is a two-dimensional vtkImageData with the point scalars "Radiance": three floats,
@@ -27,19 +27,19 @@
  * A failure is one line through ErrorEvent, which names the file, the value and the cure, and an
  * error code (GetErrorCode). An abort leaves an empty output and the code vtkErrorCode::UserError.
  */
-#ifndef vtkLightMapReader_h
-#define vtkLightMapReader_h
+#ifndef vtkSkylineLightMapReader_h
+#define vtkSkylineLightMapReader_h
 
-#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "SkylineIOModule.h" // for the export macro
 #include "vtkImageAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 VTK_ABI_NAMESPACE_BEGIN
-class SKYLINEIO_EXPORT vtkLightMapReader : public vtkImageAlgorithm
+class SKYLINEIO_EXPORT vtkSkylineLightMapReader : public vtkImageAlgorithm
 {
 public:
-  static vtkLightMapReader* New();
-  vtkTypeMacro(vtkLightMapReader, vtkImageAlgorithm);
+  static vtkSkylineLightMapReader* New();
+  vtkTypeMacro(vtkSkylineLightMapReader, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -61,8 +61,8 @@ public:
   ///@}
 
 protected:
-  vtkLightMapReader();
-  ~vtkLightMapReader() override;
+  vtkSkylineLightMapReader();
+  ~vtkSkylineLightMapReader() override;
 
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -70,8 +70,8 @@ protected:
     vtkInformationVector* outputVector) override;
 
 private:
-  vtkLightMapReader(const vtkLightMapReader&) = delete;
-  void operator=(const vtkLightMapReader&) = delete;
+  vtkSkylineLightMapReader(const vtkSkylineLightMapReader&) = delete;
+  void operator=(const vtkSkylineLightMapReader&) = delete;
 
   /// Runs `work`; false, with the error reported, if it throws.
   template <typename Work>
