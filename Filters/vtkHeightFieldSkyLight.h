@@ -5,7 +5,7 @@
  *
  * Adds the float array `SkyLight`: irradiance of the post's tilted surface by the part of the sky
  * that it sees, over that of open level ground under the same sky: 1 there, 0 in a chasm. The sky's
- * radiance depends on elevation alone (ZonalSky.h); with the uniform sky this is SkyViewFactor. No
+ * radiance depends on elevation alone; with the uniform sky this is SkyViewFactor. No
  * horizon is stored.
  */
 #ifndef vtkHeightFieldSkyLight_h

@@ -4,7 +4,8 @@
  * @brief   writes point arrays of a height field as bands of a GeoTIFF
  *
  * Every component of every array is a band, north-up, with the CRS and geotransform of the input's
- * field data (ImageGeoreference.h). The bands have the narrowest type that holds all arrays.
+ * field data, as vtkHeightFieldReader puts them there. The bands have the narrowest type that holds
+ * all arrays.
  * Missing posts (NaN, infinities) of float and double arrays become the nodata value: the
  * NodataValue of the input's field data if no result can have it (NaN, or beyond 1000), else -9999,
  * else NaN where a height is that very number. A nodata value is declared if posts are missing or

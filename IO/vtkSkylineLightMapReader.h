@@ -7,7 +7,7 @@
  * linear RGB, all finite and not negative. Row 0 of the image is the bottom of the map, at the
  * nadir, as VTK has it; the centre column is north, to the right is clockwise. The coordinates of a
  * point are the azimuth (x, -180 to 180 degrees) and the elevation (y, -90 to 90) of the pixel's
- * middle. Kernels see the image through skyline::ViewLightMap (LightMapImage.h).
+ * middle.
  *
  * A file is a latitude-longitude map if it has twice as many columns as rows. A cube has six square
  * faces in one image, seen from inside: 1 x 6 as OpenEXR stacks them (its Y axis up, its Z axis

@@ -19,7 +19,7 @@
  *
  * The ground is Lambertian: it sends out albedo * E / pi. The albedo is what VTK would show without
  * light: the actor's diffuse colour, colours of scalars, draped textures, as sRGB codes. The
- * result is exposed, goes through the tone curve of ToneMap.h and is shown as sRGB codes.
+ * result is exposed, goes through the tone curve and is shown as sRGB codes.
  *
  * Other mappers call it as vtkSkylineSoftShadowPolyDataMapper does: Prepare before drawing,
  * ReplaceShaderValues on the templates (and no light of their own), Activate, SetUniforms for every
@@ -176,7 +176,7 @@ public:
 
   ///@{
   /**
-   * Whether the tone curve of ToneMap.h applies; else light above 1 is clipped. Default on.
+   * Whether the tone curve applies; else light above 1 is clipped. Default on.
    */
   void SetToneMapping(bool on);
   vtkGetMacro(ToneMapping, bool);
