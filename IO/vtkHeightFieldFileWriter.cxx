@@ -53,8 +53,8 @@ int vtkHeightFieldFileWriter::FillInputPortInformation(int, vtkInformation* info
   return 1;
 }
 
-vtkTypeBool vtkHeightFieldFileWriter::ProcessRequest(vtkInformation* request,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+vtkTypeBool vtkHeightFieldFileWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
   {
@@ -123,7 +123,8 @@ void vtkHeightFieldFileWriter::Check(vtkImageData* image) const
   }
 }
 
-vtkDataArray* vtkHeightFieldFileWriter::FindArray(vtkImageData* image, const std::string& name) const
+vtkDataArray* vtkHeightFieldFileWriter::FindArray(
+  vtkImageData* image, const std::string& name) const
 {
   vtkPointData* points = image->GetPointData();
   vtkDataArray* array = name.empty() ? points->GetScalars() : points->GetArray(name.c_str());
