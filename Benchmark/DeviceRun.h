@@ -6,9 +6,13 @@
 #include "Result.h"
 #include "Stage.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
 class vtkImageData;
 class vtkOpenGLHeightFieldDevice;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

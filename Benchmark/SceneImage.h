@@ -5,9 +5,12 @@
 
 #include "Reference/Oracle.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

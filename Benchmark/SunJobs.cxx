@@ -9,13 +9,13 @@
 
 #include "vtkDataArray.h"
 #include "vtkHeightFieldIrradiance.h"
+#include "vtkHeightFieldShadowHeight.h"
 #include "vtkHeightFieldSunShadow.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOpenGLHeightFieldDevice.h"
-#include "vtkOpenGLShadowHeightMap.h"
+#include "vtkOpenGLHeightFieldShadowHeight.h"
 #include "vtkPointData.h"
-#include "vtkShadowHeightMap.h"
 #include "vtkSkylineSunLight.h"
 
 #include <cstdio>
@@ -106,7 +106,7 @@ Result MeasureBeam(Stage& stage, int method)
     { return ArrayOf(filter, "Irradiance")->GetComponent(static_cast<vtkIdType>(post), 0); });
 }
 
-Result MeasureShadowHeight(Stage& stage, int method, vtkShadowHeightMap* filter)
+Result MeasureShadowHeight(Stage& stage, int method, vtkHeightFieldShadowHeight* filter)
 {
   filter->SetMethod(method);
   filter->SetSunAngularRadius(0.0);
@@ -127,7 +127,7 @@ Result MeasureShadowHeight(Stage& stage, int method, vtkShadowHeightMap* filter)
 
 Result MeasureDeviceShadowHeight(Stage& stage)
 {
-  vtkNew<vtkOpenGLShadowHeightMap> filter;
+  vtkNew<vtkOpenGLHeightFieldShadowHeight> filter;
   RequireDevice(filter->GetDevice());
   Result result = MeasureShadowHeight(stage, vtkHeightFieldAlgorithm::EXACT, filter);
   CheckOnDevice(filter->IsOnDevice());
@@ -182,7 +182,7 @@ void AddSunJobs(std::vector<Job>& jobs, const StagePointer& stage)
   }
   const auto shadowHeight = [stage](int method)
   {
-    vtkNew<vtkShadowHeightMap> filter;
+    vtkNew<vtkHeightFieldShadowHeight> filter;
     return MeasureShadowHeight(*stage, method, filter);
   };
   add("shadow-height", "shadow height", "exact", MainTurn,

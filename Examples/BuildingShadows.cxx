@@ -8,6 +8,8 @@
 #include "vtkFloatArray.h"
 #include "vtkHeightFieldCap.h"
 #include "vtkHeightFieldIrradiance.h"
+#include "vtkHeightFieldShadowHeight.h"
+#include "vtkHeightFieldShadowReceiver.h"
 #include "vtkHeightFieldSurface.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
@@ -19,13 +21,11 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkShadowHeightMap.h"
-#include "vtkShadowReceiver.h"
 #include "vtkSkylineEGLWindow.h"
 #include "vtkSkylineEnvironmentLight.h"
+#include "vtkSkylineSoftShadowPolyDataMapper.h"
+#include "vtkSkylineSoftShadowShader.h"
 #include "vtkSkylineSunLight.h"
-#include "vtkSoftShadowPolyDataMapper.h"
-#include "vtkSoftShadowShader.h"
 #include "vtkTessellatedBoxSource.h"
 #include "vtkWindowToImageFilter.h"
 
@@ -100,13 +100,13 @@ int main(int argc, char* argv[])
   light->SetNumberOfAzimuths(32);
 
   // The shadow that the hill casts on the building: SunVisibility at the points of the building.
-  vtkNew<vtkShadowHeightMap> shadow;
+  vtkNew<vtkHeightFieldShadowHeight> shadow;
   shadow->SetInputData(hill);
   shadow->SetSunAzimuth(SunAzimuth);
   shadow->SetSunElevation(SunElevation);
   shadow->SetSunAngularRadius(SunRadius);
   shadow->SoftOn();
-  vtkNew<vtkShadowReceiver> receiver;
+  vtkNew<vtkHeightFieldShadowReceiver> receiver;
   receiver->SetInputConnection(model->GetOutputPort());
   receiver->SetShadowConnection(shadow->GetOutputPort());
   receiver->Update();
@@ -117,7 +117,7 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkHeightFieldSurface> surface;
   surface->SetInputData(hill);
-  vtkNew<vtkSoftShadowPolyDataMapper> groundMapper;
+  vtkNew<vtkSkylineSoftShadowPolyDataMapper> groundMapper;
   groundMapper->SetInputConnection(surface->GetOutputPort());
   groundMapper->ScalarVisibilityOff();
   groundMapper->GetShader()->SetHeightFieldConnection(light->GetOutputPort());

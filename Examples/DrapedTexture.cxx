@@ -16,9 +16,9 @@
 #include "vtkRenderer.h"
 #include "vtkSkylineEGLWindow.h"
 #include "vtkSkylineEnvironmentLight.h"
+#include "vtkSkylineSoftShadowPolyDataMapper.h"
+#include "vtkSkylineSoftShadowShader.h"
 #include "vtkSkylineSunLight.h"
-#include "vtkSoftShadowPolyDataMapper.h"
-#include "vtkSoftShadowShader.h"
 #include "vtkTexture.h"
 #include "vtkTextureMapToPlane.h"
 #include "vtkWindowToImageFilter.h"
@@ -131,7 +131,7 @@ int main(int argc, char* argv[])
   texture->InterpolateOn();
   texture->MipmapOn();
 
-  vtkNew<vtkSoftShadowPolyDataMapper> mapper;
+  vtkNew<vtkSkylineSoftShadowPolyDataMapper> mapper;
   mapper->SetInputConnection(drape->GetOutputPort());
   mapper->ScalarVisibilityOff();
   mapper->GetShader()->SetHeightFieldConnection(light->GetOutputPort());

@@ -18,9 +18,9 @@
 #include "vtkRenderer.h"
 #include "vtkSkylineEGLWindow.h"
 #include "vtkSkylineEnvironmentLight.h"
+#include "vtkSkylineSoftShadowPolyDataMapper.h"
+#include "vtkSkylineSoftShadowShader.h"
 #include "vtkSkylineSunLight.h"
-#include "vtkSoftShadowPolyDataMapper.h"
-#include "vtkSoftShadowShader.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <chrono>
@@ -88,7 +88,7 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkHeightFieldSurface> surface;
   surface->SetInputData(terrain);
-  vtkNew<vtkSoftShadowPolyDataMapper> mapper;
+  vtkNew<vtkSkylineSoftShadowPolyDataMapper> mapper;
   mapper->SetInputConnection(surface->GetOutputPort());
   mapper->ScalarVisibilityOff();
   mapper->GetShader()->SetHeightFieldConnection(light->GetOutputPort());

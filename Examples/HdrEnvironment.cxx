@@ -10,15 +10,15 @@
 #include "vtkHeightFieldReader.h"
 #include "vtkHeightFieldSurface.h"
 #include "vtkImageData.h"
-#include "vtkLightMapReader.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSkylineEGLWindow.h"
 #include "vtkSkylineEnvironmentLight.h"
-#include "vtkSoftShadowPolyDataMapper.h"
-#include "vtkSoftShadowShader.h"
+#include "vtkSkylineLightMapReader.h"
+#include "vtkSkylineSoftShadowPolyDataMapper.h"
+#include "vtkSkylineSoftShadowShader.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <cstdlib>
@@ -40,7 +40,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkHeightFieldReader> terrain;
   terrain->SetFileName(argv[1]);
 
-  vtkNew<vtkLightMapReader> map;
+  vtkNew<vtkSkylineLightMapReader> map;
   map->SetFileName(argv[2]);
   map->Update();
   vtkNew<vtkSkylineEnvironmentLight> environment;
@@ -59,7 +59,7 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkHeightFieldSurface> surface;
   surface->SetInputConnection(terrain->GetOutputPort());
-  vtkNew<vtkSoftShadowPolyDataMapper> mapper;
+  vtkNew<vtkSkylineSoftShadowPolyDataMapper> mapper;
   mapper->SetInputConnection(surface->GetOutputPort());
   mapper->ScalarVisibilityOff();
   mapper->GetShader()->SetHeightFieldConnection(light->GetOutputPort());

@@ -18,8 +18,8 @@
 #include "vtkSkylineEGLWindow.h"
 #include "vtkSkylineEnvironmentLight.h"
 #include "vtkSkylineLampLight.h"
-#include "vtkSoftShadowPolyDataMapper.h"
-#include "vtkSoftShadowShader.h"
+#include "vtkSkylineSoftShadowPolyDataMapper.h"
+#include "vtkSkylineSoftShadowShader.h"
 #include "vtkSphereSource.h"
 #include "vtkWindowToImageFilter.h"
 
@@ -116,7 +116,7 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkHeightFieldSurface> surface;
   surface->SetInputConnection(reader->GetOutputPort());
-  vtkNew<vtkSoftShadowPolyDataMapper> mapper;
+  vtkNew<vtkSkylineSoftShadowPolyDataMapper> mapper;
   mapper->SetInputConnection(surface->GetOutputPort());
   mapper->ScalarVisibilityOff();
   mapper->GetShader()->SetHeightFieldConnection(light->GetOutputPort());

@@ -66,7 +66,7 @@ drape.SetOrigin(west, south, 0.0)
 drape.SetPoint1(east, south, 0.0)
 drape.SetPoint2(west, north, 0.0)
 
-mapper = skyline.vtkSoftShadowPolyDataMapper()
+mapper = skyline.vtkSkylineSoftShadowPolyDataMapper()
 mapper.SetInputConnection(drape.GetOutputPort())
 mapper.ScalarVisibilityOff()
 mapper.GetShader().SetHeightField(lit)

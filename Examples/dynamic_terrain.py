@@ -56,7 +56,7 @@ light.AddLight(sky)
 
 surface = skyline.vtkHeightFieldSurface()
 surface.SetInputData(terrain)
-mapper = skyline.vtkSoftShadowPolyDataMapper()
+mapper = skyline.vtkSkylineSoftShadowPolyDataMapper()
 mapper.SetInputConnection(surface.GetOutputPort())
 mapper.ScalarVisibilityOff()
 mapper.GetShader().SetHeightFieldConnection(light.GetOutputPort())

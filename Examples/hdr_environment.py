@@ -24,7 +24,7 @@ lit = skyline.irradiance(terrain, environment=sys.argv[2], rotation=rotation, az
 
 surface = skyline.vtkHeightFieldSurface()
 surface.SetInputData(terrain)
-mapper = skyline.vtkSoftShadowPolyDataMapper()
+mapper = skyline.vtkSkylineSoftShadowPolyDataMapper()
 mapper.SetInputConnection(surface.GetOutputPort())
 mapper.ScalarVisibilityOff()
 mapper.GetShader().SetHeightField(lit)

@@ -61,7 +61,7 @@ print(f"green irradiance {np.nanmin(green):.3f} to {np.nanmax(green):.1f}")
 
 surface = skyline.vtkHeightFieldSurface()
 surface.SetInputData(terrain)
-mapper = skyline.vtkSoftShadowPolyDataMapper()
+mapper = skyline.vtkSkylineSoftShadowPolyDataMapper()
 mapper.SetInputConnection(surface.GetOutputPort())
 mapper.ScalarVisibilityOff()
 mapper.GetShader().SetHeightField(lit)

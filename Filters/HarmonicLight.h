@@ -5,6 +5,7 @@
 
 #include "LightPasses.h"
 #include "Sky/LightTable.h"
+#include "SkylineFiltersModule.h" // for the export macro
 
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace skyline
 {
 
 /// The sum of lights: bands^2 coefficients of red, then of green, then of blue.
-class HarmonicLight
+class SKYLINEFILTERS_EXPORT HarmonicLight
 {
 public:
   /// bands: 1 to 8.

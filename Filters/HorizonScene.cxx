@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HorizonScene.h"
 
+#include "Data/ImageGeoreference.h"
 #include "Data/MemoryDemand.h"
-#include "Data/vtkSkylineGeoreference.h"
 #include "Geo/RayBending.h"
 #include "HeightField/BaseHeight.h"
 #include "HeightField/HeightPyramid.h"

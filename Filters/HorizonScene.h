@@ -10,7 +10,9 @@
 #include "Horizon/Accumulator.h"
 #include "Horizon/HorizonMethod.h"
 #include "Shared/Doubt.h"
+#include "SkylineFiltersModule.h" // for the export macro
 #include "SlopeSearch.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <cstdint>
 #include <functional>
@@ -18,9 +20,11 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkFloatArray;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {
@@ -43,7 +47,7 @@ enum class AzimuthAxes
 
 /// Built from a filter's input; throws std::invalid_argument with a one-line reason if that carries
 /// no surface. The image must outlive it.
-class HorizonScene
+class SKYLINEFILTERS_EXPORT HorizonScene
 {
 public:
   struct Options

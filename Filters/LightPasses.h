@@ -7,12 +7,16 @@
 #include "Shared/Constants.h"
 #include "Sky/LightAccumulator.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+
 #include <array>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkSkylineKeyLight;
 class vtkSkylineLampLight;
 class vtkSkylineSunLight;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -3,10 +3,13 @@
 #ifndef skyline_WholeField_h
 #define skyline_WholeField_h
 
-#include "SkylineFiltersModule.h" // For the export macro
+#include "SkylineFiltersModule.h"   // For the export macro
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkInformation;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

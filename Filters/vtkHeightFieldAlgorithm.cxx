@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldAlgorithm.h"
 
-#include "Data/vtkSkylineWarning.h"
+#include "Data/Warnings.h"
 #include "HorizonScene.h"
 #include "Shared/Constants.h"
 #include "WholeField.h"

@@ -16,6 +16,7 @@
 
 #include "SkylineFiltersModule.h"
 #include "vtkImageAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <memory> // For Kept
 #include <string>
@@ -25,6 +26,8 @@ namespace skyline
 class HorizonScene;
 struct KeptPyramid;
 } // namespace skyline
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 
 class SKYLINEFILTERS_EXPORT vtkHeightFieldAlgorithm : public vtkImageAlgorithm
@@ -147,5 +150,6 @@ private:
 
   std::unique_ptr<skyline::KeptPyramid> Kept;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -140,3 +140,8 @@ int vtkHeightFieldCap::RequestData(
   skyline::KeepPiece(out->GetInformationObject(0));
   return 1;
 }
+
+void vtkHeightFieldCap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

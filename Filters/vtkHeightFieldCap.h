@@ -17,7 +17,9 @@
 
 #include "SkylineFiltersModule.h"
 #include "vtkImageAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;
 class vtkPolyData;
 
@@ -26,6 +28,7 @@ class SKYLINEFILTERS_EXPORT vtkHeightFieldCap : public vtkImageAlgorithm
 public:
   static vtkHeightFieldCap* New();
   vtkTypeMacro(vtkHeightFieldCap, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /// What to put on the height field: input 1.
@@ -46,5 +49,6 @@ private:
   vtkHeightFieldCap(const vtkHeightFieldCap&) = delete;
   void operator=(const vtkHeightFieldCap&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -12,9 +12,11 @@
 #define vtkHeightFieldHorizon_h
 
 #include "vtkHeightFieldAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <vector> // For azimuths
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkHeightFieldHorizon : public vtkHeightFieldAlgorithm
 {
 public:
@@ -29,6 +31,9 @@ public:
   ///@}
 
 protected:
+  vtkHeightFieldHorizon() = default;
+  ~vtkHeightFieldHorizon() override = default;
+
   bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
 
   /// Fills NumberOfAzimuths values a post, degrees. False if stopped.
@@ -36,6 +41,11 @@ protected:
     skyline::HorizonScene& scene, const std::vector<double>& azimuths, float* values);
 
   int NumberOfAzimuths = 36;
+
+private:
+  vtkHeightFieldHorizon(const vtkHeightFieldHorizon&) = delete;
+  void operator=(const vtkHeightFieldHorizon&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldInspection.h"
 
-#include "Data/vtkSkylineGeoreference.h"
-#include "Data/vtkSkylineWarning.h"
+#include "Data/ImageGeoreference.h"
+#include "Data/Warnings.h"
 #include "Geo/LooksLikeDegrees.h"
 #include "HeightField/HeightCensus.h"
 #include "vtkArrayDispatch.h"
@@ -76,4 +76,9 @@ void vtkHeightFieldInspection::Inspect(vtkImageData* heightField, const char* su
     std::snprintf(assumed.data(), assumed.size(), "a spacing of %.6g metres", spacing[0]);
     skyline::Warn(this, { name + text.data(), assumed.data(), "a transform and a CRS" });
   }
+}
+
+void vtkHeightFieldInspection::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
 }

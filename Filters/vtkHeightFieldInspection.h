@@ -12,7 +12,9 @@
 
 #include "SkylineFiltersModule.h" // for the export macro
 #include "vtkObject.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 
 class SKYLINEFILTERS_EXPORT vtkHeightFieldInspection : public vtkObject
@@ -20,6 +22,7 @@ class SKYLINEFILTERS_EXPORT vtkHeightFieldInspection : public vtkObject
 public:
   static vtkHeightFieldInspection* New();
   vtkTypeMacro(vtkHeightFieldInspection, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Looks at the active point scalars, one component, and at the spacing and georeference of an image.
   /// subject: what the warnings call it, "the array". Does nothing for an image without such scalars.
@@ -33,5 +36,6 @@ private:
   vtkHeightFieldInspection(const vtkHeightFieldInspection&) = delete;
   void operator=(const vtkHeightFieldInspection&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

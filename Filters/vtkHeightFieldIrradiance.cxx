@@ -2,7 +2,7 @@
 #include "vtkHeightFieldIrradiance.h"
 
 #include "Azimuths.h"
-#include "Data/vtkSkylineWarning.h"
+#include "Data/Warnings.h"
 #include "HarmonicBands.h"
 #include "HarmonicLight.h"
 #include "Harmonics/VisibilityAccumulator.h"

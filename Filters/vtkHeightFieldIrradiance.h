@@ -20,16 +20,19 @@
 #define vtkHeightFieldIrradiance_h
 
 #include "vtkHeightFieldAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <memory>
 #include <vector>
 
-class vtkSkylineLight;
 namespace skyline
 {
 class HarmonicLight;
 struct LitPosts;
 } // namespace skyline
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkSkylineLight;
 
 class SKYLINEFILTERS_EXPORT vtkHeightFieldIrradiance : public vtkHeightFieldAlgorithm
 {
@@ -164,5 +167,6 @@ private:
   struct Internal;
   std::unique_ptr<Internal> Internals;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -4,7 +4,7 @@
 #include "Color/ColorMaps.h"
 #include "Color/Daylight.h"
 #include "Color/ToneMap.h"
-#include "Data/vtkSkylineGeoreference.h"
+#include "Data/ImageGeoreference.h"
 #include "Geo/GroundMetric.h"
 #include "HeightField/BaseHeight.h"
 #include "HeightField/Normals.h"

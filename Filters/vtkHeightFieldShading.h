@@ -12,7 +12,7 @@
  * Output: the input with two more point arrays:
  * - Radiance (float RGB, linear light): albedo / pi * (SunIrradiance * SunVisibility * max(0, n.s)
  *   + pi * SkyRadiance * sky), the light a Lambertian ground sends up; NaN at missing posts;
- * - Picture (unsigned char RGBA, sRGB): Radiance times 2^EV through ToneMap.h; no channel reaches
+ * - Picture (unsigned char RGBA, sRGB): Radiance times 2^EV through the tone curve; no channel reaches
  *   255; missing posts are transparent black. It becomes the active scalars.
  *
  * The normal comes from central differences, one-sided at the edge and beside missing posts.
@@ -22,10 +22,12 @@
 
 #include "SkylineFiltersModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
-#include "vtkSmartPointer.h" // For LookupTable
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+#include "vtkSmartPointer.h"        // For LookupTable
 
 #include <string> // For names
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkScalarsToColors;
 
 class SKYLINEFILTERS_EXPORT vtkHeightFieldShading : public vtkImageAlgorithm
@@ -68,7 +70,7 @@ public:
   ///@{
   /**
    * Irradiance by the unhidden sun of a surface that faces it, linear RGB, 0 and up. Default: that
-   * of ClearDaylight(45) in Daylight.h.
+   * of a clear day with the sun at 45 degrees.
    */
   vtkSetVector3Macro(SunIrradiance, double);
   vtkGetVector3Macro(SunIrradiance, double);
@@ -77,7 +79,7 @@ public:
   ///@{
   /**
    * Mean radiance of the sky (its irradiance of open level ground over pi), linear RGB, 0 and up.
-   * Default: that of ClearDaylight(45) in Daylight.h.
+   * Default: that of a clear day with the sun at 45 degrees.
    */
   vtkSetVector3Macro(SkyRadiance, double);
   vtkGetVector3Macro(SkyRadiance, double);
@@ -103,8 +105,8 @@ public:
 
   ///@{
   /**
-   * Name of the colour map: hypsometric (default), ocean, viridis, cividis or gray, see
-   * ColorMaps.h. An unknown name is an error of the update.
+   * Name of the colour map: hypsometric (default), ocean, viridis, cividis or gray. An unknown
+   * name is an error of the update.
    */
   vtkSetMacro(ColorMap, std::string);
   vtkGetMacro(ColorMap, std::string);
@@ -191,5 +193,6 @@ private:
   vtkHeightFieldShading(const vtkHeightFieldShading&) = delete;
   void operator=(const vtkHeightFieldShading&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

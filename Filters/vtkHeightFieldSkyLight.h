@@ -5,7 +5,7 @@
  *
  * Adds the float array `SkyLight`: irradiance of the post's tilted surface by the part of the sky
  * that it sees, over that of open level ground under the same sky: 1 there, 0 in a chasm. The sky's
- * radiance depends on elevation alone (ZonalSky.h); with the uniform sky this is SkyViewFactor. No
+ * radiance depends on elevation alone; with the uniform sky this is SkyViewFactor. No
  * horizon is stored.
  */
 #ifndef vtkHeightFieldSkyLight_h
@@ -13,7 +13,9 @@
 
 #include "SkylineFiltersModule.h" // for the export macro
 #include "vtkHeightFieldAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkHeightFieldSkyLight : public vtkHeightFieldAlgorithm
 {
 public:
@@ -47,5 +49,6 @@ private:
   vtkHeightFieldSkyLight(const vtkHeightFieldSkyLight&) = delete;
   void operator=(const vtkHeightFieldSkyLight&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

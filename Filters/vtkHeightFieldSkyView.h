@@ -20,12 +20,14 @@
 #define vtkHeightFieldSkyView_h
 
 #include "vtkHeightFieldAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 namespace skyline
 {
 struct Grid;
 }
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkHeightFieldSkyView : public vtkHeightFieldAlgorithm
 {
 public:
@@ -70,6 +72,9 @@ public:
   ///@}
 
 protected:
+  vtkHeightFieldSkyView() = default;
+  ~vtkHeightFieldSkyView() override = default;
+
   bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
 
   int NumberOfAzimuths = 72;
@@ -82,7 +87,11 @@ protected:
   double EdgeDistance = 1000.0;
 
 private:
+  vtkHeightFieldSkyView(const vtkHeightFieldSkyView&) = delete;
+  void operator=(const vtkHeightFieldSkyView&) = delete;
+
   double UsedEdgeDistance(const skyline::Grid& posts) const;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

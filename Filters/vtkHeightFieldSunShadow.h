@@ -16,9 +16,11 @@
 #define vtkHeightFieldSunShadow_h
 
 #include "vtkHeightFieldAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkHeightFieldSunShadow : public vtkHeightFieldAlgorithm
 {
 public:
@@ -73,6 +75,9 @@ public:
   vtkGetMacro(SearchedAzimuths, int);
 
 protected:
+  vtkHeightFieldSunShadow() = default;
+  ~vtkHeightFieldSunShadow() override = default;
+
   bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
 
   double SunAzimuth = 315.0;
@@ -83,6 +88,11 @@ protected:
   std::string Time;
   bool LimbDarkening = false;
   int SearchedAzimuths = 0;
+
+private:
+  vtkHeightFieldSunShadow(const vtkHeightFieldSunShadow&) = delete;
+  void operator=(const vtkHeightFieldSunShadow&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -19,7 +19,9 @@
 
 #include "SkylineFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkHeightFieldSurface : public vtkPolyDataAlgorithm
 {
 public:
@@ -74,5 +76,6 @@ private:
   vtkHeightFieldSurface(const vtkHeightFieldSurface&) = delete;
   void operator=(const vtkHeightFieldSurface&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

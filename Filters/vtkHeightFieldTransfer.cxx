@@ -9,3 +9,8 @@ bool vtkHeightFieldTransfer::Compute(skyline::HorizonScene& scene, vtkImageData*
 {
   return this->Project(scene, output, "TransferSH", true);
 }
+
+void vtkHeightFieldTransfer::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

@@ -13,15 +13,26 @@
 #define vtkHeightFieldTransfer_h
 
 #include "vtkHeightFieldVisibility.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkHeightFieldTransfer : public vtkHeightFieldVisibility
 {
 public:
   static vtkHeightFieldTransfer* New();
   vtkTypeMacro(vtkHeightFieldTransfer, vtkHeightFieldVisibility);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
+  vtkHeightFieldTransfer() = default;
+  ~vtkHeightFieldTransfer() override = default;
+
   bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+
+private:
+  vtkHeightFieldTransfer(const vtkHeightFieldTransfer&) = delete;
+  void operator=(const vtkHeightFieldTransfer&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

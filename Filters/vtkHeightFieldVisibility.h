@@ -15,9 +15,11 @@
 #define vtkHeightFieldVisibility_h
 
 #include "vtkHeightFieldAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <vector> // For azimuths
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkHeightFieldVisibility : public vtkHeightFieldAlgorithm
 {
 public:
@@ -51,6 +53,9 @@ public:
   ///@}
 
 protected:
+  vtkHeightFieldVisibility() = default;
+  ~vtkHeightFieldVisibility() override = default;
+
   bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
 
   /// Feeds the sky of all posts, times their cosine or not, to an array of the name.
@@ -66,6 +71,11 @@ protected:
   int NumberOfAzimuths = 32;
   double SwathAzimuth = 0.0;
   double SwathWidth = 360.0;
+
+private:
+  vtkHeightFieldVisibility(const vtkHeightFieldVisibility&) = delete;
+  void operator=(const vtkHeightFieldVisibility&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

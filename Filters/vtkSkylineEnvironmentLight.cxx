@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkylineEnvironmentLight.h"
 
-#include "Data/vtkLightMapImage.h"
+#include "Data/LightMapImage.h"
 #include "Shared/Constants.h"
 #include "Sky/LightTable.h"
 #include "Sky/SkyModel.h"

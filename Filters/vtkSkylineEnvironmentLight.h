@@ -9,17 +9,20 @@
 #ifndef vtkSkylineEnvironmentLight_h
 #define vtkSkylineEnvironmentLight_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSkylineLight.h"
 
 #include "vtkSmartPointer.h"
 
 #include <vector>
 
-class vtkImageData;
 namespace skyline
 {
 struct TurnedLightMap;
 }
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkImageData;
 
 class SKYLINEFILTERS_EXPORT vtkSkylineEnvironmentLight : public vtkSkylineLight
 {
@@ -54,7 +57,7 @@ public:
   ///@}
 
   ///@{
-  /// A light map as vtkLightMapReader gives it: "Radiance", three floats a pixel,
+  /// A light map as vtkSkylineLightMapReader gives it: "Radiance", three floats a pixel,
   /// latitude-longitude, the centre column north. Negative and NaN pixels count as 0. Setting one
   /// sets Source to IMAGE.
   void SetImage(vtkImageData* image);
@@ -124,5 +127,6 @@ private:
   bool PixelsAreImage = false;
   vtkMTimeType PixelTime = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -9,8 +9,10 @@
 #ifndef vtkSkylineKeyLight_h
 #define vtkSkylineKeyLight_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSkylineLight.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkSkylineKeyLight : public vtkSkylineLight
 {
 public:
@@ -53,5 +55,6 @@ private:
   vtkSkylineKeyLight(const vtkSkylineKeyLight&) = delete;
   void operator=(const vtkSkylineKeyLight&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -8,8 +8,10 @@
 #ifndef vtkSkylineLampLight_h
 #define vtkSkylineLampLight_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSkylineLight.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkSkylineLampLight : public vtkSkylineLight
 {
 public:
@@ -48,5 +50,6 @@ private:
   vtkSkylineLampLight(const vtkSkylineLampLight&) = delete;
   void operator=(const vtkSkylineLampLight&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

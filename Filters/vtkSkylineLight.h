@@ -11,7 +11,9 @@
 
 #include "SkylineFiltersModule.h" // for the export macro
 #include "vtkObject.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkSkylineLight : public vtkObject
 {
 public:
@@ -35,5 +37,6 @@ private:
   vtkSkylineLight(const vtkSkylineLight&) = delete;
   void operator=(const vtkSkylineLight&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

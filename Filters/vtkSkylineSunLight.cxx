@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkylineSunLight.h"
 
-#include "Data/vtkSkylineGeoreference.h"
+#include "Data/ImageGeoreference.h"
 #include "HeightField/BaseHeight.h"
 #include "Sun/Eclipse.h"
 #include "Sun/SunField.h"

@@ -10,10 +10,12 @@
 #ifndef vtkSkylineSunLight_h
 #define vtkSkylineSunLight_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSkylineLight.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 
 class SKYLINEFILTERS_EXPORT vtkSkylineSunLight : public vtkSkylineLight
@@ -100,5 +102,6 @@ private:
   vtkSkylineSunLight(const vtkSkylineSunLight&) = delete;
   void operator=(const vtkSkylineSunLight&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -5,7 +5,7 @@
 #include "BandRows.h"
 #include "Batches.h"
 #include "CheckedVsi.h"
-#include "Data/vtkSkylineGeoreference.h"
+#include "Data/ImageGeoreference.h"
 #include "GdalErrors.h"
 #include "GeoTiffCheck.h"
 #include "GeoTiffRows.h"

@@ -5,12 +5,16 @@
 
 #include "Geo/Georeference.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+
 #include <functional>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -4,6 +4,7 @@
 #define skyline_ImageLibrary_h
 
 #include "LightMapFile.h"
+#include "SkylineIOModule.h" // for the export macro
 
 #include <functional>
 #include <memory>
@@ -53,7 +54,7 @@ constexpr const char* ImageLibraryFunctionName = "SkylineImageLibrary";
 
 } // namespace skyline
 
-/// Of the library SkylineImages.
-extern "C" const skyline::ImageLibrary* SkylineImageLibrary();
+/// Of the library SkylineImages; SkylineIO looks it up by its name.
+extern "C" SKYLINEIO_EXPORT const skyline::ImageLibrary* SkylineImageLibrary();
 
 #endif

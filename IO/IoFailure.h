@@ -3,6 +3,8 @@
 #ifndef skyline_IoFailure_h
 #define skyline_IoFailure_h
 
+#include "SkylineIOModule.h" // for the export macro
+
 #include <stdexcept>
 #include <string>
 
@@ -10,7 +12,7 @@ namespace skyline
 {
 
 /// A one-line reason that names the file, the value and the cure, and a vtkErrorCode.
-class IoFailure : public std::runtime_error
+class SKYLINEIO_EXPORT IoFailure : public std::runtime_error
 {
 public:
   IoFailure(unsigned long code, const std::string& reason)
@@ -26,7 +28,7 @@ private:
 };
 
 /// Someone asked to stop (AbortExecute): no error, and no result.
-class IoAborted : public std::runtime_error
+class SKYLINEIO_EXPORT IoAborted : public std::runtime_error
 {
 public:
   IoAborted()

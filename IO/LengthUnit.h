@@ -3,6 +3,8 @@
 #ifndef skyline_LengthUnit_h
 #define skyline_LengthUnit_h
 
+#include "SkylineIOModule.h" // for the export macro
+
 #include <string>
 
 namespace skyline
@@ -21,7 +23,7 @@ enum class UnitName
 
 /// Reads a name such as "m", "metres above sea level", "ft" or "US survey foot"; letter case,
 /// spaces and signs do not matter. For a length, `metres` becomes the metres in one unit.
-UnitName ReadUnitName(const std::string& name, double& metres);
+SKYLINEIO_EXPORT UnitName ReadUnitName(const std::string& name, double& metres);
 
 } // namespace skyline
 

@@ -3,10 +3,14 @@
 #ifndef skyline_ReadGuard_h
 #define skyline_ReadGuard_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+
 #include <functional>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkObject;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

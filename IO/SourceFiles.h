@@ -3,12 +3,15 @@
 #ifndef skyline_SourceFiles_h
 #define skyline_SourceFiles_h
 
-#include "SkylineIOModule.h" // for the export macro
+#include "SkylineIOModule.h"        // for the export macro
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -10,18 +10,20 @@
  *
  * The top line of the picture is the image's last row (north). Numbers are never changed: whoever
  * makes the array decides on exposure and transfer curve. Alpha is not multiplied into 8-bit colour
- * and is multiplied into linear colour. Errors and aborts: see vtkHeightFieldSink.
+ * and is multiplied into linear colour. Errors and aborts: see vtkHeightFieldFileWriter.
  */
 #ifndef vtkHeightFieldPictureWriter_h
 #define vtkHeightFieldPictureWriter_h
 
-#include "vtkHeightFieldSink.h"
+#include "vtkHeightFieldFileWriter.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
-class SKYLINEIO_EXPORT vtkHeightFieldPictureWriter : public vtkHeightFieldSink
+VTK_ABI_NAMESPACE_BEGIN
+class SKYLINEIO_EXPORT vtkHeightFieldPictureWriter : public vtkHeightFieldFileWriter
 {
 public:
   static vtkHeightFieldPictureWriter* New();
-  vtkTypeMacro(vtkHeightFieldPictureWriter, vtkHeightFieldSink);
+  vtkTypeMacro(vtkHeightFieldPictureWriter, vtkHeightFieldFileWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -57,5 +59,6 @@ private:
   char* ArrayName = nullptr;
   bool HalfPrecision = false;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

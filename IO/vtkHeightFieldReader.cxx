@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldReader.h"
 
+#include "Data/ImageGeoreference.h"
 #include "Data/MemoryDemand.h"
-#include "Data/vtkSkylineGeoreference.h"
-#include "Data/vtkSkylineWarning.h"
+#include "Data/Warnings.h"
 #include "IoFailure.h"
 #include "RasterSource.h"
 #include "ReadGuard.h"

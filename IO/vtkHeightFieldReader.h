@@ -8,14 +8,14 @@
  * file runs; rotated and sheared rasters are refused.
  *
  * Spacing is in metres: the CRS's steps, or the true ones of the centre row where they differ (see
- * RowSpacing.h). Origin is the south-west post's CRS coordinates in metres on a projected or local
+ * Documentation/distances.md). Origin is the south-west post's CRS coordinates in metres on a projected or local
  * map, and 0 on a geographic one. Heights in feet, with a scale and an offset, or with missing
  * posts (nodata, mask, alpha, NaN, infinities) become float, or double where float would lose
  * digits, with NaN for the missing; other integers stay as they are. The unit of the heights is the
  * band's, else that of the CRS's vertical part, else metres; heights count upwards even where the
  * CRS speaks of depths.
  *
- * Field data carries the georeference (vtkSkylineGeoreference.h) of the extent that was delivered,
+ * Field data carries the georeference of the extent that was delivered,
  * which is the extent asked for: only that part of the file is read. Spacing and RowSpacing are the
  * whole raster's, so that a part is what the whole has there. NodataValue is the value the file
  * declares for missing posts, else the first finite one of AddNodata.
@@ -44,6 +44,7 @@
 
 #include "SkylineIOModule.h" // for the export macro
 #include "vtkImageAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <memory> // for the private parts
 #include <string>
@@ -54,6 +55,7 @@ namespace skyline
 struct SourcePolicy;
 } // namespace skyline
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEIO_EXPORT vtkHeightFieldReader : public vtkImageAlgorithm
 {
 public:
@@ -148,5 +150,6 @@ private:
   struct Inside;
   std::unique_ptr<Inside> Parts;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -4,29 +4,32 @@
  * @brief   writes point arrays of a height field as bands of a GeoTIFF
  *
  * Every component of every array is a band, north-up, with the CRS and geotransform of the input's
- * field data (vtkSkylineGeoreference.h). The bands have the narrowest type that holds all arrays.
+ * field data, as vtkHeightFieldReader puts them there. The bands have the narrowest type that holds
+ * all arrays.
  * Missing posts (NaN, infinities) of float and double arrays become the nodata value: the
  * NodataValue of the input's field data if no result can have it (NaN, or beyond 1000), else -9999,
  * else NaN where a height is that very number. A nodata value is declared if posts are missing or
  * the input declares one; integer bands have none.
  *
  * DEFLATE with a predictor, tiles for more than 512 x 512 posts, bands one after the other, BigTIFF
- * where needed. Errors and aborts: see vtkHeightFieldSink.
+ * where needed. Errors and aborts: see vtkHeightFieldFileWriter.
  */
 #ifndef vtkHeightFieldWriter_h
 #define vtkHeightFieldWriter_h
 
-#include "vtkHeightFieldSink.h"
+#include "vtkHeightFieldFileWriter.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <map>    // for band texts
 #include <string> // for array names
 #include <vector> // for array names
 
-class SKYLINEIO_EXPORT vtkHeightFieldWriter : public vtkHeightFieldSink
+VTK_ABI_NAMESPACE_BEGIN
+class SKYLINEIO_EXPORT vtkHeightFieldWriter : public vtkHeightFieldFileWriter
 {
 public:
   static vtkHeightFieldWriter* New();
-  vtkTypeMacro(vtkHeightFieldWriter, vtkHeightFieldSink);
+  vtkTypeMacro(vtkHeightFieldWriter, vtkHeightFieldFileWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -76,5 +79,6 @@ private:
   std::map<int, std::string> Units;
   bool CloudOptimized = false;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -4,11 +4,14 @@
 #define skyline_CameraFit_h
 
 #include "SkylineRenderingModule.h" // For the export macro
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCamera;
 class vtkPoints;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -5,6 +5,7 @@
 #define skyline_GpuDevice_h
 
 #include "vtkNew.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
 #include <cstddef>
@@ -13,12 +14,14 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkRenderWindow;
 class vtkShaderProgram;
 class vtkTextureObject;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -6,6 +6,7 @@
 #include "GpuHarmonics.h"
 
 #include "vtkOpenGLHeightFieldDevice.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include "vtkSmartPointer.h"
 
@@ -14,7 +15,9 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

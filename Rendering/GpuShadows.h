@@ -10,6 +10,7 @@
 #include "ShadowHeight/ShadowHeight.h"
 #include "ShadowHeight/ShadowHeightSweep.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkType.h"
 
 #include <functional>
@@ -17,8 +18,10 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkObject;
 class vtkOpenGLHeightFieldDevice;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {
@@ -80,7 +83,7 @@ private:
   std::string Told;
 };
 
-/// Method EXACT of vtkShadowHeightMap there.
+/// Method EXACT of vtkHeightFieldShadowHeight there.
 class GpuShadowExact : public ShadowHeightExact
 {
 public:
@@ -98,7 +101,7 @@ private:
   std::vector<float> Values; // empty: the host's
 };
 
-/// Method SWEEP of vtkShadowHeightMap there.
+/// Method SWEEP of vtkHeightFieldShadowHeight there.
 class GpuShadowSweep : public ShadowHeightSweep
 {
 public:

@@ -4,12 +4,15 @@
 #define skyline_OffscreenWindow_h
 
 #include "SkylineRenderingModule.h" // For the export macro
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include "vtkSmartPointer.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -3,6 +3,7 @@
 #ifndef skyline_PostTexture_h
 #define skyline_PostTexture_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -10,10 +11,12 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkObject;
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
 class vtkWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

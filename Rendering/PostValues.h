@@ -3,10 +3,14 @@
 #ifndef skyline_PostValues_h
 #define skyline_PostValues_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -56,7 +56,7 @@ std::string ReceiverLight::Prepare(vtkOpenGLRenderWindow* window, vtkImageData* 
   if (!upper || !sun || sun->GetNumberOfValues() != 3 || size[0] < 2 || size[1] < 2)
   {
     return "the height field has no shadow heights (point array ShadowHeight, field array "
-           "ShadowSun): give the output of vtkShadowHeightMap";
+           "ShadowSun): give the output of vtkHeightFieldShadowHeight";
   }
   this->Azimuth = sun->GetComponent(0, 0) * RadiansPerDegree;
   this->Elevation = sun->GetComponent(0, 1) * RadiansPerDegree;

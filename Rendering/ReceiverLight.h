@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mode RECEIVER of vtkSoftShadowShader: shadow heights as a texture, and the sun behind them.
+// Mode RECEIVER of vtkSkylineSoftShadowShader: shadow heights as a texture, and the sun behind them.
 #ifndef skyline_ReceiverLight_h
 #define skyline_ReceiverLight_h
 
@@ -7,16 +7,19 @@
 #include "VertexRow.h"
 
 #include "vtkShader.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <array>
 #include <map>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkImageData;
 class vtkMatrix4x4;
 class vtkOpenGLRenderWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {
@@ -24,7 +27,7 @@ namespace skyline
 class ReceiverLight
 {
 public:
-  /// Which normals a mesh has; vtkSoftShadowShader's NormalType.
+  /// Which normals a mesh has; vtkSkylineSoftShadowShader's NormalType.
   enum class Normals
   {
     Faces,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The patch of vtkSoftShadowShader to the shaders of VTK's mappers.
+// The patch of vtkSkylineSoftShadowShader to the shaders of VTK's mappers.
 #ifndef skyline_SoftShadowText_h
 #define skyline_SoftShadowText_h
 
@@ -11,7 +11,7 @@
 namespace skyline
 {
 
-/// What the patch depends on; vtkSoftShadowShader says what each means.
+/// What the patch depends on; vtkSkylineSoftShadowShader says what each means.
 struct SoftShadowText
 {
   std::string Irradiance; ///< functions of the mode: a file of glsl/

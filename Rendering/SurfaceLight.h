@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Distant light as the fragment shaders of vtkSoftShadowShader take it.
+// Distant light as the fragment shaders of vtkSkylineSoftShadowShader take it.
 #ifndef skyline_SurfaceLight_h
 #define skyline_SurfaceLight_h
 

@@ -12,6 +12,7 @@
 
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkObject.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <memory> // For Internals
 #include <string> // For GetReason
@@ -21,6 +22,8 @@ namespace skyline
 class GpuDevice;
 struct GpuLimits;
 } // namespace skyline
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderWindow;
 
 class SKYLINERENDERING_EXPORT vtkOpenGLHeightFieldDevice : public vtkObject
@@ -80,5 +83,6 @@ private:
   std::string Reason;
   std::unique_ptr<skyline::GpuDevice> Device;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

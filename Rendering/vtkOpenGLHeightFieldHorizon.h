@@ -18,6 +18,7 @@
 
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkHeightFieldHorizon.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <memory> // For Gpu
 
@@ -26,6 +27,8 @@ namespace skyline
 class GpuFilter;
 class GpuShadowSource;
 } // namespace skyline
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLHeightFieldDevice;
 
 class SKYLINERENDERING_EXPORT vtkOpenGLHeightFieldHorizon : public vtkHeightFieldHorizon
@@ -63,5 +66,6 @@ private:
   std::unique_ptr<skyline::GpuFilter> Gpu;
   std::unique_ptr<skyline::GpuShadowSource> Sweeps;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

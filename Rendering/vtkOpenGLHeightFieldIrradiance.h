@@ -9,7 +9,7 @@
  * PYRAMID or EXACT; FAST takes the exact ones.
  *
  * With ReadBack off nothing leaves the graphics processor: hand GetTexture to
- * vtkSoftShadowShader::SetIrradianceTexture of a mapper that draws in the device's window.
+ * vtkSkylineSoftShadowShader::SetIrradianceTexture of a mapper that draws in the device's window.
  *
  * The host computes TABLE, lamps (whose light it adds to what is read back), SWEEP and bilinear
  * surfaces. Where there is no OpenGL context, or it is lost, one error says so in one line and the host
@@ -20,9 +20,11 @@
 
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkHeightFieldIrradiance.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <memory> // For Gpu
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLHeightFieldDevice;
 class vtkTextureObject;
 
@@ -86,5 +88,6 @@ private:
   bool MeasurePasses = false;
   std::unique_ptr<Internals> Inside;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

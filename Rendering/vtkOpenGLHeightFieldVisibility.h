@@ -15,6 +15,7 @@
 
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkHeightFieldVisibility.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <memory> // For Gpu
 
@@ -22,6 +23,8 @@ namespace skyline
 {
 class GpuFilter;
 }
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLHeightFieldDevice;
 class vtkTextureObject;
 
@@ -71,5 +74,6 @@ private:
   bool ReadBack = true;
   std::unique_ptr<skyline::GpuFilter> Gpu;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

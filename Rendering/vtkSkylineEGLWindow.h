@@ -16,7 +16,8 @@
 
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkGenericOpenGLRenderWindow.h"
-#include "vtkVersionMacros.h" // For OpenGLInitContext
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+#include "vtkVersionMacros.h"       // For OpenGLInitContext
 
 #include <memory> // For Context
 #include <string> // For GetReason
@@ -26,6 +27,7 @@ namespace skyline
 class HeadlessContext;
 }
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINERENDERING_EXPORT vtkSkylineEGLWindow : public vtkGenericOpenGLRenderWindow
 {
 public:
@@ -86,5 +88,6 @@ private:
   vtkSkylineEGLWindow(const vtkSkylineEGLWindow&) = delete;
   void operator=(const vtkSkylineEGLWindow&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -7,6 +7,7 @@
 #include "vtkSkylineKeyLight.h"
 
 #include "Reference/FieldImage.h"
+#include "Reference/Shapes.h"
 
 #include <algorithm>
 #include <array>

@@ -18,7 +18,7 @@ def light_of(name):
         light.SetSourceToCie()
         light.SetCieType(int(name[4:]))
     elif name != "uniform":
-        reader = skyline.vtkLightMapReader()
+        reader = skyline.vtkSkylineLightMapReader()
         reader.SetFileName(name)
         reader.Update()
         light.SetSourceToImage()

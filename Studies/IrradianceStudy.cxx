@@ -12,9 +12,9 @@
 #include "Sky/LightAzimuths.h"
 #include "Sky/SkyModel.h"
 
-#include "Data/vtkLightMapImage.h"
+#include "Data/LightMapImage.h"
 #include "vtkHeightFieldReader.h"
-#include "vtkLightMapReader.h"
+#include "vtkSkylineLightMapReader.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -83,7 +83,7 @@ Terrain ReadTerrain(const std::string& file, const std::vector<int>& part, int p
 
 OwnedMap ReadMap(const std::string& file)
 {
-  vtkNew<vtkLightMapReader> reader;
+  vtkNew<vtkSkylineLightMapReader> reader;
   reader->SetFileName(file.c_str());
   reader->Update();
   const LightMap view = ViewLightMap(reader->GetOutput());

@@ -4,13 +4,14 @@
 //
 //   SkylineLightTimes [largest side in posts, default 1024] [largest on the graphics processor, default 512]
 #include "Reference/FieldImage.h"
+#include "Reference/Shapes.h"
 
 #include "vtkHeightFieldHorizon.h"
 #include "vtkHeightFieldIrradiance.h"
 #include "vtkHeightFieldSkyView.h"
 #include "vtkOpenGLHeightFieldDevice.h"
 #include "vtkOpenGLHeightFieldHorizon.h"
-#include "vtkOpenGLShadowHeightMap.h"
+#include "vtkOpenGLHeightFieldShadowHeight.h"
 #include "vtkSkylineEnvironmentLight.h"
 
 #include <algorithm>
@@ -93,15 +94,15 @@ void Sweeps(
 {
   const int side = image->GetDimensions()[0];
   vtkNew<vtkHeightFieldHorizon> horizon;
-  vtkNew<vtkShadowHeightMap> shadow;
+  vtkNew<vtkHeightFieldShadowHeight> shadow;
   std::vector<vtkSmartPointer<vtkHeightFieldHorizon>> horizons{ horizon.Get() };
-  std::vector<vtkSmartPointer<vtkShadowHeightMap>> shadows{ shadow.Get() };
+  std::vector<vtkSmartPointer<vtkHeightFieldShadowHeight>> shadows{ shadow.Get() };
   if (device)
   {
     vtkNew<vtkOpenGLHeightFieldHorizon> otherHorizon;
     otherHorizon->SetDevice(device);
     horizons.emplace_back(otherHorizon);
-    vtkNew<vtkOpenGLShadowHeightMap> otherShadow;
+    vtkNew<vtkOpenGLHeightFieldShadowHeight> otherShadow;
     otherShadow->SetDevice(device);
     shadows.emplace_back(otherShadow);
   }

@@ -3,6 +3,8 @@
 #ifndef skyline_Georeference_h
 #define skyline_Georeference_h
 
+#include "SkylineCoreModule.h" // for the export macro
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -32,7 +34,7 @@ struct PostSteps
 
 /// Position and body of a height field. Post (column, row) counts from the south-west post; columns
 /// and rows may be fractional, and reach a little over the edge.
-struct Georeference
+struct SKYLINECORE_EXPORT Georeference
 {
   std::string Crs; ///< WKT of the coordinate system; empty: none
 

@@ -5,6 +5,7 @@
 
 #include "Geo/Georeference.h"
 #include "Geo/RowSpacing.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <cstddef>
 #include <vector>
@@ -32,14 +33,14 @@ struct MetricError
   double Azimuth = 0.0;  ///< radians, the largest over all directions
   double Distance = 0.0; ///< relative, the largest over all directions
 };
-MetricError ErrorOf(const PostMetric& used, const PostMetric& truth);
+SKYLINECORE_EXPORT MetricError ErrorOf(const PostMetric& used, const PostMetric& truth);
 
 /// Metres per line of a ray that crosses `columns` and `rows` in it.
-double LengthOf(const PostMetric& metric, double columns, double rows);
+SKYLINECORE_EXPORT double LengthOf(const PostMetric& metric, double columns, double rows);
 
 /// Lengths and angles of all posts: of the rows where the georeference has them, otherwise of its
 /// lattice; linear between nodes, which are as many as NodeTolerance needs.
-class GroundMetric
+class SKYLINECORE_EXPORT GroundMetric
 {
 public:
   /// Largest relative error of the interpolation between nodes.

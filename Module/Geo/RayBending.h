@@ -4,6 +4,7 @@
 #define skyline_RayBending_h
 
 #include "Geo/Georeference.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 namespace skyline
 {
@@ -20,7 +21,7 @@ struct RayBending
 /// Measures rays of at most `longest` metres between the corners, the middles of the sides and the
 /// centre of the raster against GeographicLib's geodesics. All 0 without a place on a body. Throws as
 /// Georeference::LonLatAt.
-RayBending MeasureRayBending(const Georeference& place, double longest);
+SKYLINECORE_EXPORT RayBending MeasureRayBending(const Georeference& place, double longest);
 
 } // namespace skyline
 

@@ -4,6 +4,7 @@
 #define skyline_RayFan_h
 
 #include "Geo/GroundMetric.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <cstddef>
 #include <vector>
@@ -23,7 +24,7 @@ constexpr double FanLengthStep = 0.02;
 /// Directions and lengths that serve all posts in one azimuth. A search with direction i and length j is
 /// one with the metric of the field's centre, its lengths times exp(Lengths[j]), and the azimuth
 /// Directions[i] on that metric.
-class RayFan
+class SKYLINECORE_EXPORT RayFan
 {
 public:
   /// azimuth: degrees from the image's +y axis, on the image (`onImage`) or on the ground. curved: the

@@ -4,6 +4,7 @@
 #define skyline_RowSpacing_h
 
 #include "Geo/Georeference.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 namespace skyline
 {
@@ -43,12 +44,13 @@ enum class StepUnit
 /// A row at a pole has no width; it gets the one a quarter of a row away, the mean over the half
 /// row that its posts stand for. Throws std::invalid_argument for steps that are not positive
 /// numbers, for degrees without a body, and what GroundMetric throws.
-PostSpacing ComputeRowSpacing(
+SKYLINECORE_EXPORT PostSpacing ComputeRowSpacing(
   Georeference& place, double nominalX, double nominalY, StepUnit unit = StepUnit::Metres);
 
 /// Metres between the posts at a row, which may be fractional (the nearest row's is taken);
 /// `uniform` where the georeference has one spacing for all.
-PostSpacing RowSpacingAt(const Georeference& place, double row, const PostSpacing& uniform);
+SKYLINECORE_EXPORT PostSpacing RowSpacingAt(
+  const Georeference& place, double row, const PostSpacing& uniform);
 
 /// Rows [RowBegin, RowEnd) to be computed with one spacing.
 struct RowBand
@@ -61,7 +63,7 @@ struct RowBand
 /// the band's by more than `tolerance` (relative, default RowBandTolerance, at least 0). One band
 /// of `uniform` when the georeference has no row spacings. Throws std::invalid_argument for a
 /// negative tolerance and for row spacings that are not one a row.
-std::vector<RowBand> RowBands(
+SKYLINECORE_EXPORT std::vector<RowBand> RowBands(
   const Georeference& place, const PostSpacing& uniform, double tolerance = RowBandTolerance);
 
 } // namespace skyline

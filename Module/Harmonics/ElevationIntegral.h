@@ -18,6 +18,7 @@
 #define skyline_ElevationIntegral_h
 
 #include "Harmonics/SphericalHarmonics.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <array>
 #include <vector>
@@ -42,7 +43,7 @@ enum class ElevationWeight
 };
 
 /// The integral of one harmonic from the horizontal plane up to a horizon.
-struct ElevationIntegral
+struct SKYLINECORE_EXPORT ElevationIntegral
 {
   static constexpr int MaxTerms = 6;
 
@@ -59,10 +60,11 @@ struct ElevationIntegral
 
 /// The integral of band l, 0 to 7, and order m, 0 to l; the normalisation counts the sqrt(2) of m > 0,
 /// the factor of the azimuth (cos(m p), sin(m p)) is left out.
-ElevationIntegral MakeElevationIntegral(int l, int m, ElevationWeight weight);
+SKYLINECORE_EXPORT ElevationIntegral MakeElevationIntegral(int l, int m, ElevationWeight weight);
 
 /// The integrals of all l and m >= 0 of some bands, m by m: (m, l) = (0, 0), (0, 1) .. (1, 1) ..
-std::vector<ElevationIntegral> ElevationIntegrals(int bands, ElevationWeight weight);
+SKYLINECORE_EXPORT std::vector<ElevationIntegral> ElevationIntegrals(
+  int bands, ElevationWeight weight);
 
 } // namespace skyline
 

@@ -3,6 +3,8 @@
 #ifndef skyline_HarmonicProduct_h
 #define skyline_HarmonicProduct_h
 
+#include "SkylineCoreModule.h" // for the export macro
+
 #include <vector>
 
 namespace skyline
@@ -19,7 +21,7 @@ struct HarmonicTerm
 /// bands coefficients; Real is float or double. Snyder & Nowrouzezahrai 2008, section 2 (equation 2);
 /// Snyder 2006, "Code Generation and Factoring for Fast Evaluation of Low-order Spherical Harmonic
 /// Products and Squares", for the idea of unrolling.
-class HarmonicProduct
+class SKYLINECORE_EXPORT HarmonicProduct
 {
 public:
   /// The tensor of so many bands, built at its first use. Bands outside 2 ... 8:

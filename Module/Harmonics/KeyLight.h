@@ -6,6 +6,7 @@
 
 #include "Harmonics/SphericalHarmonics.h"
 #include "Horizon/Swath.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <cstddef>
 #include <vector>
@@ -23,7 +24,7 @@ struct KeyLight
 
 /// The azimuths that a light's disc covers: asin(sin r / cos e) to either side; the circle if the disc
 /// holds the zenith.
-Swath SwathOf(const KeyLight& light);
+SKYLINECORE_EXPORT Swath SwathOf(const KeyLight& light);
 
 /// How a key light becomes a series.
 enum class KeyLightSeries
@@ -37,12 +38,12 @@ enum class KeyLightSeries
 /// with nothing in the way, gets the disc's own irradiance, pi sin^2 r or what of it stands above the
 /// horizontal plane (SN08, figure 6: unit unshadowed shading). All 0 for a light outside of the swath.
 /// 1 to 8 bands.
-void KeyLightHarmonics(const KeyLight& light, const Swath& swath, int bands, double* coefficients,
-  KeyLightSeries series = KeyLightSeries::Fitted);
+SKYLINECORE_EXPORT void KeyLightHarmonics(const KeyLight& light, const Swath& swath, int bands,
+  double* coefficients, KeyLightSeries series = KeyLightSeries::Fitted);
 
 /// Irradiance of a disc of radiance 1 on a receiver that faces it, from above the horizontal plane
 /// alone: pi sin^2 r where it stands clear of it. By quadrature, to 1e-6 of itself.
-double FacingIrradiance(const KeyLight& light);
+SKYLINECORE_EXPORT double FacingIrradiance(const KeyLight& light);
 
 } // namespace skyline
 

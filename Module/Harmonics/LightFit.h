@@ -5,6 +5,7 @@
 
 #include "Harmonics/SphericalHarmonics.h"
 #include "Horizon/Swath.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 namespace skyline
 {
@@ -24,8 +25,8 @@ constexpr double LightFitRidge = 1.0e-4;
 /// sphere: a sky projected so has a dark half, and rings along its rim; the clear sky of
 /// Documentation/sn08.md then errs by 3 to 4 %, and by 0.2 to 2 % if fitted. (It helps transfer
 /// vectors alone: the product of a visibility and a cosine series needs the light's projection.)
-void FitLight(const Swath& swath, int bands, const double* projected, double* fitted,
-  double ridge = LightFitRidge);
+SKYLINECORE_EXPORT void FitLight(const Swath& swath, int bands, const double* projected,
+  double* fitted, double ridge = LightFitRidge);
 
 } // namespace skyline
 

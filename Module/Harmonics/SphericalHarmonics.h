@@ -13,6 +13,8 @@
 #ifndef skyline_SphericalHarmonics_h
 #define skyline_SphericalHarmonics_h
 
+#include "SkylineCoreModule.h" // for the export macro
+
 namespace skyline
 {
 
@@ -37,32 +39,34 @@ constexpr int HarmonicIndex(int l, int m)
 /// The values of all functions of 1 to 8 bands in the unit direction (x, y, z): bands * bands of
 /// them.
 template <typename Real>
-void EvaluateHarmonics(int bands, Real x, Real y, Real z, Real* values);
+SKYLINECORE_EXPORT void EvaluateHarmonics(int bands, Real x, Real y, Real z, Real* values);
 
 /// The coefficients of a function turned about the vertical by an angle (radians, clockwise seen
 /// from above, as azimuths count): what lay at azimuth a lies at a + angle. 1 to 8 bands; in and out
 /// may be the same.
 template <typename Real>
-void RotateAboutVertical(int bands, double angleClockwise, const Real* in, Real* out);
+SKYLINECORE_EXPORT void RotateAboutVertical(
+  int bands, double angleClockwise, const Real* in, Real* out);
 
 /// The coefficients of a function around the vertical when its axis is turned to the unit direction
 /// (x, y, z): sqrt(4 pi / (2 l + 1)) zonal_l Y_l,m(x, y, z). zonal: the `bands` coefficients of m =
 /// 0; out: bands * bands. 1 to 8 bands. Sloan 2008, "Stupid Spherical Harmonics Tricks", rotation of
 /// zonal harmonics.
 template <typename Real>
-void RotateZonal(int bands, const Real* zonal, Real x, Real y, Real z, Real* out);
+SKYLINECORE_EXPORT void RotateZonal(
+  int bands, const Real* zonal, Real x, Real y, Real z, Real* out);
 
 /// The coefficient of Y_l,0 of max(0, z), any l >= 0. Its convolution with radiance is irradiance:
 /// E(n) = sum of A_l L_l,m Y_l,m(n) with A_l = sqrt(4 pi / (2 l + 1)) times this (pi, 2 pi / 3,
 /// pi / 4, 0, ...). Ramamoorthi & Hanrahan 2001, equations 7 and 8.
-double ClampedCosineZonal(int l);
+SKYLINECORE_EXPORT double ClampedCosineZonal(int l);
 
 /// The coefficient of Y_l,0 of the function that is 1 above the horizontal plane and 0 below.
-double HemisphereZonal(int l);
+SKYLINECORE_EXPORT double HemisphereZonal(int l);
 
 /// The coefficient of Y_l,0 of the function that is 1 on the cap around the zenith whose rim has the
 /// given cosine of its angular radius, -1 (the sphere) to 1 (nothing), and 0 elsewhere.
-double CapZonal(int l, double cosRadius);
+SKYLINECORE_EXPORT double CapZonal(int l, double cosRadius);
 
 } // namespace skyline
 

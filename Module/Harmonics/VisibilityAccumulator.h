@@ -6,6 +6,7 @@
 
 #include "Harmonics/ElevationIntegral.h"
 #include "Horizon/Accumulator.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <array>
 #include <cstddef>
@@ -46,7 +47,7 @@ struct WedgeWeights
 };
 
 /// Those of a swath about `azimuth`, radians; width: of the swath.
-WedgeWeights<double> WeightsOfSwath(int bands, double azimuth, double width);
+SKYLINECORE_EXPORT WedgeWeights<double> WeightsOfSwath(int bands, double azimuth, double width);
 
 /// An integral as the vector code takes it.
 struct WedgeIntegral
@@ -80,7 +81,7 @@ struct WedgePass
 /// share a block, coefficient by coefficient, which the vectors read from end to end; it lies where
 /// their tuples will. A group of azimuths waits in `WedgeGroup - 1` floats a post and is summed in one
 /// pass, for the sums are the traffic.
-class VisibilityAccumulator : public Accumulator
+class SKYLINECORE_EXPORT VisibilityAccumulator : public Accumulator
 {
 public:
   /// east, north: dz/dx and dz/dy of every post (Normals.h), which outlive the accumulator: transfer;

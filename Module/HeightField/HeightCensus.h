@@ -4,6 +4,7 @@
 #define skyline_HeightCensus_h
 
 #include "Shared/Doubt.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <array>
 #include <cmath>
@@ -27,7 +28,7 @@ namespace skyline
 ///   for fewer than half the posts, 10 m and twice its range.
 /// Everything else is terrain: bathymetry that passes -9999, ground below sea level, a sea of 0 with a
 /// coast.
-class HeightCensus
+class SKYLINECORE_EXPORT HeightCensus
 {
 public:
   /// Counts a height, finite, as the raster has it.

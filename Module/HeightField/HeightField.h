@@ -5,6 +5,7 @@
 
 #include "HeightField/Grid.h"
 #include "Shared/Constants.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <cmath>
 #include <cstddef>
@@ -65,7 +66,7 @@ struct MissingMap
 
 /// The surface's posts. Heights are metres above Base(), which keeps the differences of heights of
 /// 1e7 m exact to the float's 24 bits of the relief, not of the height.
-class HeightField
+class SKYLINECORE_EXPORT HeightField
 {
 public:
   /// columns, rows: at least 2 each; spacings by HeightLimits.h; else std::invalid_argument.

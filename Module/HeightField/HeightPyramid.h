@@ -5,6 +5,7 @@
 #define skyline_HeightPyramid_h
 
 #include "HeightField/HeightField.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <array>
 #include <cstddef>
@@ -14,7 +15,7 @@ namespace skyline
 {
 
 /// Levels of a pyramid over n posts with `step` levels an octave: ceil(step log2 n) + 1.
-int PyramidLevels(std::ptrdiff_t posts, double step);
+SKYLINECORE_EXPORT int PyramidLevels(std::ptrdiff_t posts, double step);
 
 /// Posts between the samples of a level, and its samples.
 struct PyramidSize
@@ -25,7 +26,8 @@ struct PyramidSize
 
 /// All levels over columns x rows posts, the coarsest first. step: levels an octave, 1 to 16, else
 /// std::invalid_argument.
-std::vector<PyramidSize> PyramidSizes(std::ptrdiff_t columns, std::ptrdiff_t rows, double step);
+SKYLINECORE_EXPORT std::vector<PyramidSize> PyramidSizes(
+  std::ptrdiff_t columns, std::ptrdiff_t rows, double step);
 
 /// The two samples of a finer level that a sample reads along one axis.
 struct LinearTaps
@@ -35,7 +37,8 @@ struct LinearTaps
 };
 
 /// Those of all samples of an axis; ratio: of the scales, coarse to fine.
-std::vector<LinearTaps> DecimationTaps(double ratio, std::ptrdiff_t fine, std::ptrdiff_t coarse);
+SKYLINECORE_EXPORT std::vector<LinearTaps> DecimationTaps(
+  double ratio, std::ptrdiff_t fine, std::ptrdiff_t coarse);
 
 /// One level. A sample stands for Scale x Scale posts; sample c lies at post (c + 1/2) Scale - 1/2
 /// along either axis, so that the first one's square begins where the first post's does.
@@ -55,7 +58,7 @@ struct SplineTaps
 };
 
 /// Uniform cubic b-spline at post `place` (any fraction) of an axis with `samples` samples.
-SplineTaps TapsAt(double place, double scale, std::ptrdiff_t samples);
+SKYLINECORE_EXPORT SplineTaps TapsAt(double place, double scale, std::ptrdiff_t samples);
 
 /// SN08's pyramid: level i = 0 is the coarsest and i = N - 1 the field itself, each level the one
 /// after it, bilinearly sampled b = 2^(1 / step) samples apart. Any size; the greater number of posts
@@ -65,7 +68,7 @@ SplineTaps TapsAt(double place, double scale, std::ptrdiff_t samples);
 /// has it. Each level is kept as b-splined along the rows alone (`Row`): its rows are n, n / b,
 /// n / b^2 ... in number, so that all levels together take 1 / (1 - 1 / b) copies of the field, not
 /// N; the other axis has the same weights along a whole row and costs a few products.
-class HeightPyramid
+class SKYLINECORE_EXPORT HeightPyramid
 {
 public:
   /// step: levels an octave, 1 to 16, not necessarily whole; else std::invalid_argument. The field

@@ -3,6 +3,8 @@
 #ifndef skyline_Accumulator_h
 #define skyline_Accumulator_h
 
+#include "SkylineCoreModule.h" // for the export macro
+
 #include <cstddef>
 
 namespace skyline
@@ -11,7 +13,7 @@ namespace skyline
 /// A consumer of horizons. The driver calls Begin once for every azimuth (one thread), then Add for
 /// every post once, in runs along a row of posts (many threads, disjoint runs), and after the last
 /// azimuth Finish for every row once (many threads, disjoint rows).
-class Accumulator
+class SKYLINECORE_EXPORT Accumulator
 {
 public:
   virtual ~Accumulator() = default;

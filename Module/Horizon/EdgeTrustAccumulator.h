@@ -6,6 +6,7 @@
 #include "HeightField/HeightField.h"
 #include "Horizon/Accumulator.h"
 #include "Horizon/PostBuffer.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <cstdint>
 #include <vector>
@@ -18,7 +19,7 @@ namespace skyline
 /// in between do not count. With distance 0: the azimuths in which any terrain lies.
 ///
 /// Memory: two bytes a post beside the result.
-class EdgeTrustAccumulator : public Accumulator
+class SKYLINECORE_EXPORT EdgeTrustAccumulator : public Accumulator
 {
 public:
   /// `distance`: metres, 0 or more. `rowSpacingX`, `rowSpacingY`: metres between columns and rows, one

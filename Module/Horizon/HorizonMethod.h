@@ -8,6 +8,7 @@
 #include "Horizon/PyramidSettings.h"
 #include "Horizon/RayFrame.h"
 #include "Shared/Constants.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <cstddef>
 #include <memory>
@@ -42,7 +43,7 @@ struct HorizonSettings
 /// SetAzimuth (one thread), Prepare for the whole of [0, PrepareCount()) (any threads, disjoint
 /// ranges), then Find for the lines wanted (any threads, disjoint ranges). The same ranges give the
 /// same bits, on whatever thread.
-class HorizonMethod
+class SKYLINECORE_EXPORT HorizonMethod
 {
 public:
   virtual ~HorizonMethod() = default;
@@ -82,7 +83,7 @@ protected:
 /// The method of the settings over a closed field, which must outlive it and be transposed before an
 /// azimuth whose frame takes columns. pyramid: as HorizonPyramid takes it; of Pyramid alone.
 /// std::invalid_argument for a surface that the method does not know.
-std::unique_ptr<HorizonMethod> MakeHorizonMethod(const HeightField& field,
+SKYLINECORE_EXPORT std::unique_ptr<HorizonMethod> MakeHorizonMethod(const HeightField& field,
   const HorizonSettings& settings, std::shared_ptr<const HeightPyramid> pyramid = nullptr);
 
 } // namespace skyline

@@ -5,6 +5,7 @@
 
 #include "HeightField/HeightPyramid.h"
 #include "Horizon/HorizonMethod.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <memory>
 #include <vector>
@@ -54,13 +55,13 @@ private:
 
 /// Where the levels of a pyramid read: the coarsest first. azimuth: degrees clockwise from north.
 /// Distances are measured so that on any grid the finest caster lies lambda posts away.
-std::vector<PyramidReach> PyramidReaches(
+SKYLINECORE_EXPORT std::vector<PyramidReach> PyramidReaches(
   const HeightPyramid& pyramid, const PyramidSettings& settings, const Grid& grid, double azimuth);
-std::vector<PyramidReach> PyramidReaches(const std::vector<PyramidSize>& levels,
+SKYLINECORE_EXPORT std::vector<PyramidReach> PyramidReaches(const std::vector<PyramidSize>& levels,
   const PyramidSettings& settings, const Grid& grid, double azimuth);
 
 /// std::invalid_argument for an offset or a distance out of range.
-void CheckPyramidSettings(const PyramidSettings& settings);
+SKYLINECORE_EXPORT void CheckPyramidSettings(const PyramidSettings& settings);
 
 } // namespace skyline
 

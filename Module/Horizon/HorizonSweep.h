@@ -4,6 +4,7 @@
 #define skyline_HorizonSweep_h
 
 #include "Horizon/HorizonMethod.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <vector>
 
@@ -25,7 +26,7 @@ struct SweepLines
 /// horizons found on the rotated lattice of samples are filtered back to the posts, and that
 /// resampling costs about a degree: kept for comparison, not for measurement. Missing posts and their
 /// cells neither occlude nor receive.
-class HorizonSweep : public HorizonMethod
+class SKYLINECORE_EXPORT HorizonSweep : public HorizonMethod
 {
 public:
   HorizonSweep(const HeightField& field, const HorizonSettings& settings);

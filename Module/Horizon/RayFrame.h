@@ -6,6 +6,7 @@
 
 #include "HeightField/Grid.h"
 #include "HeightField/HeightField.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +21,7 @@ struct Direction
 {
   double East, North;
 };
-Direction DirectionOfAzimuth(double degrees);
+SKYLINECORE_EXPORT Direction DirectionOfAzimuth(double degrees);
 
 /// Columns and rows a metre along an azimuth on a grid; degrees and errors as in DirectionOfAzimuth.
 struct PostsPerMetre
@@ -57,7 +58,7 @@ struct StepPlace
 
 /// The frame of an azimuth: lines are rows or columns of the image, whichever the rays cross
 /// fastest, counted along the rays.
-class RayFrame
+class SKYLINECORE_EXPORT RayFrame
 {
 public:
   /// azimuth: degrees clockwise from grid north; sink: (1 - k) / 2R in 1/m, 0 for a flat body.

@@ -4,6 +4,7 @@
 #define skyline_StoreAccumulator_h
 
 #include "Horizon/Accumulator.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <cstddef>
 
@@ -14,7 +15,7 @@ namespace skyline
 /// Components side by side: until Finish, some hundred posts of a row share a block, azimuth by
 /// azimuth, where their tuples will lie. An azimuth then writes whole lines of the cache, and nothing
 /// is stored beside the result.
-class StoreAccumulator : public Accumulator
+class SKYLINECORE_EXPORT StoreAccumulator : public Accumulator
 {
 public:
   /// The k-th Begin's elevation of post (column, row) goes to

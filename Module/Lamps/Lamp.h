@@ -3,6 +3,8 @@
 #ifndef skyline_Lamp_h
 #define skyline_Lamp_h
 
+#include "SkylineCoreModule.h" // for the export macro
+
 #include <array>
 
 namespace skyline
@@ -20,7 +22,7 @@ struct Lamp
 
 /// std::invalid_argument with a one-line reason if a number is not finite or the radius or a
 /// radiance is below 0.
-void CheckLamp(const Lamp& lamp);
+SKYLINECORE_EXPORT void CheckLamp(const Lamp& lamp);
 
 /// The lamp as a receiver sees it: a disc on its sphere of directions.
 ///
@@ -33,7 +35,7 @@ struct LampDisc
   double Sine = 0.0;   ///< of the angular radius
   double Cosine = 1.0; ///< below 0 inside the lamp
 };
-LampDisc DiscOfLamp(double radius, double distance);
+SKYLINECORE_EXPORT LampDisc DiscOfLamp(double radius, double distance);
 
 /// The irradiance of an element from a disc of unit radiance whose centre lies at an angle with this
 /// cosine (-1 to 1) to the normal: the integral of max(0, n.d) over the disc, exactly, whether the
@@ -42,7 +44,7 @@ LampDisc DiscOfLamp(double radius, double distance);
 /// The disc of angular radius s at the angle t, y = -cot s cot t, in the cut case:
 ///   sin^2 s (cos t acos y - cot s sin t sqrt(1 - y^2)) + atan(tan s sin t sqrt(1 - y^2))
 /// (configuration factor of a sphere to a tilted element; derived in Documentation/lamps.md).
-double DiscIrradiance(const LampDisc& disc, double cosine);
+SKYLINECORE_EXPORT double DiscIrradiance(const LampDisc& disc, double cosine);
 
 } // namespace skyline
 

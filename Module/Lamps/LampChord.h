@@ -3,6 +3,8 @@
 #ifndef skyline_LampChord_h
 #define skyline_LampChord_h
 
+#include "SkylineCoreModule.h" // for the export macro
+
 namespace skyline
 {
 
@@ -32,7 +34,7 @@ inline double FacingSlope(const LampFacing& facing)
 /// before they end on the circle: on the low arc those from the bottom up to the arc's point over s,
 /// on the high arc those between the arc's point over s and m. So what stays visible of the low arc
 /// is all above one slope, and of the high arc a sum of gaps.
-class LampChord
+class SKYLINECORE_EXPORT LampChord
 {
 public:
   /// along, up: the circle's centre; circle: its radius; tangent: length of the tangents from the

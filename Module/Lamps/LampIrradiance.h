@@ -6,6 +6,7 @@
 #include "HeightField/Grid.h"
 #include "Lamps/Lamp.h"
 #include "Lamps/LampTerrain.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <cstddef>
 
@@ -33,9 +34,9 @@ struct LampSettings
 ///
 /// grid: the field's posts with the spacing that holds where the receivers are. east, north: the
 /// gradients of Gradients(), for all posts; null: level receivers. Throws as CheckLamp does.
-void AddLampIrradiance(const LampTerrain& terrain, const Grid& grid, const float* east,
-  const float* north, const Lamp& lamp, const LampSettings& settings, std::ptrdiff_t rowBegin,
-  std::ptrdiff_t rowEnd, float* rgb);
+SKYLINECORE_EXPORT void AddLampIrradiance(const LampTerrain& terrain, const Grid& grid,
+  const float* east, const float* north, const Lamp& lamp, const LampSettings& settings,
+  std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd, float* rgb);
 
 /// Planes swept and steps walked by calls like the above: for tests and benchmarks.
 struct LampWork
@@ -43,9 +44,9 @@ struct LampWork
   std::ptrdiff_t Posts = 0;  ///< posts that face the lamp
   std::ptrdiff_t Planes = 0; ///< vertical planes walked from a post to the lamp
 };
-void AddLampIrradiance(const LampTerrain& terrain, const Grid& grid, const float* east,
-  const float* north, const Lamp& lamp, const LampSettings& settings, std::ptrdiff_t rowBegin,
-  std::ptrdiff_t rowEnd, float* rgb, LampWork& work);
+SKYLINECORE_EXPORT void AddLampIrradiance(const LampTerrain& terrain, const Grid& grid,
+  const float* east, const float* north, const Lamp& lamp, const LampSettings& settings,
+  std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd, float* rgb, LampWork& work);
 
 } // namespace skyline
 

@@ -4,6 +4,7 @@
 #define skyline_LampTerrain_h
 
 #include "HeightField/HeightField.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <cstddef>
 #include <vector>
@@ -12,7 +13,7 @@ namespace skyline
 {
 
 /// Built once for a closed field, which must outlive it; a third of the field's floats.
-class LampTerrain
+class SKYLINECORE_EXPORT LampTerrain
 {
 public:
   explicit LampTerrain(const HeightField& field);

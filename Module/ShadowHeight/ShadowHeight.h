@@ -6,6 +6,7 @@
 #include "Horizon/HorizonMethod.h"
 #include "ShadowHeight/ShadowHeightTiles.h"
 #include "Shared/Constants.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 namespace skyline
 {
@@ -22,7 +23,7 @@ constexpr double HighestShadowLight = 89.9 * RadiansPerDegree;
 
 /// The fall of a ray of light in metres a metre: the tangent of its elevation (radians), which counts
 /// as 0 below the horizontal plane and as HighestShadowLight above that.
-double ShadowSlope(double elevation);
+SKYLINECORE_EXPORT double ShadowSlope(double elevation);
 
 /// Shadow heights of a directional light: the greatest  z - slope d - sink d^2  over all crossings, at
 /// distance d > 0 and height z, of a vertical plane towards the light with the edges of the
@@ -35,7 +36,7 @@ double ShadowSlope(double elevation);
 /// first; further tiles of posts are looked at only while their highest post could still shade a
 /// receiver of the block. The time is linear in posts unless the light stands so low that most of the
 /// field lies above the rays (Documentation/shadow-height.md).
-class ShadowHeightExact : public HorizonMethod
+class SKYLINECORE_EXPORT ShadowHeightExact : public HorizonMethod
 {
 public:
   /// The light's ShadowSlope; sink as in HorizonSettings. The field is closed and outlives this.

@@ -4,6 +4,7 @@
 #define skyline_ShadowHeightSweep_h
 
 #include "Horizon/HorizonMethod.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <vector>
 
@@ -20,7 +21,7 @@ namespace skyline
 ///
 /// Driven like ShadowHeightExact: Find gives what reaches the post from its neighbours, before the
 /// maximum with the post's own height; NoShadow on the first line and lane.
-class ShadowHeightSweep : public HorizonMethod
+class SKYLINECORE_EXPORT ShadowHeightSweep : public HorizonMethod
 {
 public:
   /// The light's ShadowSlope. The field is closed and outlives this.

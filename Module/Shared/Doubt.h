@@ -9,7 +9,7 @@ namespace skyline
 {
 
 /// Input that is used although it may not mean what it seems to mean. Every warning of Skyline is made
-/// of these three parts; vtkSkylineWarning.h raises it.
+/// of these three parts; Warnings.h raises it.
 struct Doubt
 {
   std::string Finding;    ///< what was found: "12 posts of 'dem.tif' have the height -9999"

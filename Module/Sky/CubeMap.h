@@ -4,6 +4,7 @@
 #define skyline_CubeMap_h
 
 #include "Sky/LightMap.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <array>
 #include <cstddef>
@@ -36,26 +37,26 @@ struct CubeMap
 };
 
 /// The layout of an image of that size, and the edge of its faces. False if it is none of them.
-bool FindCubeLayout(
+SKYLINECORE_EXPORT bool FindCubeLayout(
   std::ptrdiff_t columns, std::ptrdiff_t rows, CubeLayout& layout, std::ptrdiff_t& size);
 
 /// Whether the pixels of a cross that belong to no face are all alike, as in every cube; a photograph
 /// of that shape is not. Strips have no such pixels.
-bool UnusedPixelsAlike(const CubeMap& cube);
+SKYLINECORE_EXPORT bool UnusedPixelsAlike(const CubeMap& cube);
 
 /// Integral of radiance over the sphere, each channel, with the exact solid angles of the pixels.
-std::array<double, 3> CubeEnergy(const CubeMap& cube);
+SKYLINECORE_EXPORT std::array<double, 3> CubeEnergy(const CubeMap& cube);
 
 /// Rows [rowBegin, rowEnd) of the map of so many columns and rows, 3 * columns floats each into
 /// `pixels` (row 0's first): means over 8 x 8 directions in each pixel of the radiance interpolated
 /// bilinearly in its face. Uniform light stays exactly uniform.
-void CubeToLightMap(const CubeMap& cube, std::ptrdiff_t columns, std::ptrdiff_t rows,
-  std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd, float* pixels);
+SKYLINECORE_EXPORT void CubeToLightMap(const CubeMap& cube, std::ptrdiff_t columns,
+  std::ptrdiff_t rows, std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd, float* pixels);
 
 /// Scales every channel of a converted map so that it has that energy. Interpolation misses it by up
 /// to 2 % of what one pixel at the corner of a face holds, and by much less elsewhere. pixels:
 /// columns * rows from the top.
-void KeepEnergy(
+SKYLINECORE_EXPORT void KeepEnergy(
   const std::array<double, 3>& energy, std::ptrdiff_t columns, std::ptrdiff_t rows, float* pixels);
 
 } // namespace skyline

@@ -5,6 +5,7 @@
 
 #include "Horizon/Accumulator.h"
 #include "Sky/LightTable.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <cstddef>
 #include <memory>
@@ -23,7 +24,7 @@ enum class SwathQuadrature
 
 /// Sums what light maps send to every post. Light is what comes from above max(horizon, the
 /// post's own plane, 0).
-class LightAccumulator : public Accumulator
+class SKYLINECORE_EXPORT LightAccumulator : public Accumulator
 {
 public:
   struct Options

@@ -4,6 +4,7 @@
 #define skyline_LightAzimuths_h
 
 #include "Sky/LightTable.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace skyline
 /// even share of a map's light (over all azimuths, on a level receiver and an upright one), or is an
 /// eighth of a pixel wide. A map without bright spots adds none; the sun, at most its share of
 /// `count` and a few that lead up to it.
-std::vector<double> LightAzimuths(
+SKYLINECORE_EXPORT std::vector<double> LightAzimuths(
   int count, const std::vector<TurnedLightMap>& maps, bool refine = true);
 
 } // namespace skyline

@@ -4,6 +4,7 @@
 #define skyline_LightMap_h
 
 #include "Harmonics/SphericalHarmonics.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <cstddef>
 #include <vector>
@@ -45,10 +46,11 @@ struct LightMapDirection
 {
   double X, Y, Z;
 };
-LightMapDirection PixelDirection(const LightMap& map, std::ptrdiff_t row, std::ptrdiff_t column);
+SKYLINECORE_EXPORT LightMapDirection PixelDirection(
+  const LightMap& map, std::ptrdiff_t row, std::ptrdiff_t column);
 
 /// The solid angle of every pixel of a row, steradian: 2 pi / Columns (cos t - cos(t + pi / Rows)).
-double PixelSolidAngle(const LightMap& map, std::ptrdiff_t row);
+SKYLINECORE_EXPORT double PixelSolidAngle(const LightMap& map, std::ptrdiff_t row);
 
 /// How many pixels had a channel that no radiance can have.
 struct LightMapDefects
@@ -60,7 +62,7 @@ struct LightMapDefects
 
 /// Makes `pixels` pixels of three floats finite and not negative. Values that are so already stay
 /// as they are, however large.
-LightMapDefects SanitizeLightMap(float* values, std::ptrdiff_t pixels);
+SKYLINECORE_EXPORT LightMapDefects SanitizeLightMap(float* values, std::ptrdiff_t pixels);
 
 /// What stands for a pixel in the sum of the projection.
 enum class PixelRule
@@ -71,7 +73,7 @@ enum class PixelRule
 
 /// Projects maps of one size to spherical harmonics. Building one computes the waves of all
 /// columns; rows may then be added by different threads to sums of their own.
-class LightMapProjection
+class SKYLINECORE_EXPORT LightMapProjection
 {
 public:
   /// bands: 1 to 8.
@@ -99,7 +101,7 @@ private:
 
 /// The spherical harmonics of a whole map: bands^2 coefficients of red, then of green, then of blue.
 /// bands: 1 to 8. To turn the map about the vertical, turn them (RotateAboutVertical).
-std::vector<double> ProjectLightMap(
+SKYLINECORE_EXPORT std::vector<double> ProjectLightMap(
   const LightMap& map, int bands = DefaultHarmonicBands, PixelRule rule = PixelRule::Integral);
 
 } // namespace skyline

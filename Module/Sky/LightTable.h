@@ -5,6 +5,7 @@
 #define skyline_LightTable_h
 
 #include "Sky/LightMap.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <cstddef>
 #include <vector>
@@ -39,7 +40,7 @@ struct SwathPiece
 ///   D(e) = (pi/2 - e) - sin e cos e,
 /// so with a line of coefficients for each row the light is exact at every elevation, and a disc of
 /// any size keeps its edge. Pixels that the swath cuts count by the part inside.
-class LightTable
+class SKYLINECORE_EXPORT LightTable
 {
 public:
   /// Floats of a line: Z0, Z1, X0, X1, Y0, Y1 with four floats each (red, green, blue, nothing).

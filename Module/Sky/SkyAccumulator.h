@@ -5,6 +5,7 @@
 
 #include "Horizon/Accumulator.h"
 #include "Horizon/PostBuffer.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <cstddef>
 
@@ -28,7 +29,7 @@ struct SkyBuffers
 };
 
 /// Sums the sky over azimuths whose swaths make up a circle.
-class SkyAccumulator : public Accumulator
+class SKYLINECORE_EXPORT SkyAccumulator : public Accumulator
 {
 public:
   /// east, north: dz/dx and dz/dy of every post, row by row from the south (Normals.h); they must

@@ -3,13 +3,15 @@
 #ifndef skyline_SkyModel_h
 #define skyline_SkyModel_h
 
+#include "SkylineCoreModule.h" // for the export macro
+
 namespace skyline
 {
 
 /// The radiance of a sky up to a factor, at an elevation e and an angle x from the sun:
 ///   (1 + A exp(B / sin e)) (Base + C exp(D x) + E cos^2 x),
 /// or, for the traditional overcast sky, 1 + 2 sin e.
-struct SkyModel
+struct SKYLINECORE_EXPORT SkyModel
 {
   double A = 0.0, B = -1.0;                      ///< gradation from zenith to horizon
   double Base = 1.0, C = 0.0, D = -1.0, E = 0.0; ///< indicatrix around the sun
@@ -29,7 +31,7 @@ constexpr int TraditionalOvercast = 16;
 /// A sky of CIE S 011/E:2003 (ISO 15469:2004), table 1: 1 to 5 overcast (5 uniform), 6 to 10 partly
 /// cloudy, 11 to 15 clear, 16 the traditional overcast sky. std::invalid_argument for another
 /// number.
-SkyModel CieSky(int type);
+SKYLINECORE_EXPORT SkyModel CieSky(int type);
 
 /// The all-weather sky of Perez, Seals & Michalsky, Solar Energy 50 (1993), table 1, chosen by the
 /// clearness and brightness of
@@ -37,7 +39,7 @@ SkyModel CieSky(int type);
 ///   diffuse: horizontal irradiance of the sky, W/m^2, above 0;
 ///   sunElevation: apparent, radians, above 0.
 /// std::invalid_argument for others.
-SkyModel PerezSky(double direct, double diffuse, double sunElevation);
+SKYLINECORE_EXPORT SkyModel PerezSky(double direct, double diffuse, double sunElevation);
 
 /// Irradiance of the sun above the air, W/m^2, as Perez uses it for the sky's brightness.
 constexpr double SolarConstant = 1367.0;
@@ -53,8 +55,8 @@ struct SkyScale
 /// pixel the mean over four places inside it, all three colours alike; nothing below the horizon.
 /// The sun stands at sunAzimuth (radians clockwise from the map's north) and sunElevation.
 /// std::invalid_argument if the sky cannot be scaled (a dark zenith, no light at all).
-void FillSky(const SkyModel& sky, double sunAzimuth, double sunElevation, const SkyScale& scale,
-  int width, int height, float* rgb);
+SKYLINECORE_EXPORT void FillSky(const SkyModel& sky, double sunAzimuth, double sunElevation,
+  const SkyScale& scale, int width, int height, float* rgb);
 
 /// Pixels around the horizon that keep the irradiance of every sky above within 0.05 %.
 constexpr int SkyWidth = 720;

@@ -4,6 +4,7 @@
 #define skyline_ZonalSky_h
 
 #include "Horizon/Accumulator.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <array>
 #include <cstddef>
@@ -12,7 +13,7 @@ namespace skyline
 {
 
 /// A sky that looks the same in all azimuths, ready to light slopes above horizons.
-class ZonalSky
+class SKYLINECORE_EXPORT ZonalSky
 {
 public:
   /// The skies of CIE S 011/E:2003 that do not depend on the sun, by the standard's numbers: 1
@@ -55,7 +56,7 @@ private:
 
 /// Sums the light of a zonal sky over azimuths whose swaths make up a circle: irradiance of the
 /// tilted surface of every post over that of open level ground under the same sky.
-class ZonalSkyAccumulator : public Accumulator
+class SKYLINECORE_EXPORT ZonalSkyAccumulator : public Accumulator
 {
 public:
   /// east, north: dz/dx and dz/dy of every post, row by row from the south (Normals.h); share: the

@@ -3,6 +3,7 @@
 #ifndef skyline_Astronomy_h
 #define skyline_Astronomy_h
 
+#include "SkylineCoreModule.h" // for the export macro
 #include "Sun/UtcTime.h"
 
 #include <array>
@@ -18,7 +19,7 @@ struct AstronomicalTimes
 };
 
 /// Throws as the constructor of SunEphemeris says.
-AstronomicalTimes ConvertUtc(const UtcTime& time, double ut1MinusUtc);
+SKYLINECORE_EXPORT AstronomicalTimes ConvertUtc(const UtcTime& time, double ut1MinusUtc);
 
 /// Turns celestial axes (GCRS) into those fixed to the Earth: frame bias, precession and nutation by
 /// eraC2i06a (IAU 2006/2000A), rotation by eraEra00; without polar motion.
@@ -26,7 +27,8 @@ void CelestialToTerrestrial(const AstronomicalTimes& times, double matrix[3][3])
 
 /// A place on the Earth: metres from the centre, Earth-fixed axes. The arguments as of
 /// SunEphemeris::At, with its errors.
-std::array<double, 3> FromEarthCentre(double longitude, double latitude, double height);
+SKYLINECORE_EXPORT std::array<double, 3> FromEarthCentre(
+  double longitude, double latitude, double height);
 
 /// From a place to a body: metres on the place's own axes.
 struct LocalVector
@@ -36,7 +38,7 @@ struct LocalVector
 
 /// `body`: metres from the Earth's centre, Earth-fixed axes. The place as SunEphemeris::At takes it,
 /// and with its errors.
-LocalVector SeenFrom(
+SKYLINECORE_EXPORT LocalVector SeenFrom(
   const std::array<double, 3>& body, double longitude, double latitude, double height);
 
 } // namespace skyline

@@ -4,6 +4,7 @@
 #define skyline_Eclipse_h
 
 #include "Geo/Georeference.h"
+#include "SkylineCoreModule.h" // for the export macro
 #include "Sun/UtcTime.h"
 
 #include <array>
@@ -23,7 +24,7 @@ constexpr double EclipseTolerance = 0.0002;
 
 /// Sun and Moon seen from a place, without air. (The air lifts and flattens both alike: the covered
 /// share stays.)
-struct SunAndMoon
+struct SKYLINECORE_EXPORT SunAndMoon
 {
   /// From the sun's centre to the Moon's, in radii of the sun, on axes fixed to the Earth.
   std::array<double, 3> Offset{ { 0.0, 0.0, 0.0 } };
@@ -45,7 +46,7 @@ struct SunAndMoon
 /// their mean: tables of totality that take the smaller k = 0.272281 (the valleys) are 3 s shorter.
 /// Before 1960 terrestrial time is wrong by up to 35 s (SunEphemeris), and eclipses come as much late
 /// or early.
-class EclipseEphemeris
+class SKYLINECORE_EXPORT EclipseEphemeris
 {
 public:
   /// Throws what SunEphemeris throws.
@@ -67,7 +68,7 @@ private:
 
 /// Sun and Moon over a whole height field at one time, computed at the nodes of a lattice that is
 /// refined until interpolation keeps EclipseTolerance.
-class EclipseField
+class SKYLINECORE_EXPORT EclipseField
 {
 public:
   /// No eclipse, anywhere.

@@ -3,6 +3,8 @@
 #ifndef skyline_Refraction_h
 #define skyline_Refraction_h
 
+#include "SkylineCoreModule.h" // for the export macro
+
 namespace skyline
 {
 
@@ -18,7 +20,7 @@ struct Air
 /// 1013.25 hPa at 0, 6.5 C/km less up to 11 km, the same temperature above. Heights under -5 km,
 /// where the standard begins, get the air of -5 km. Throws std::invalid_argument for NaN and
 /// infinities.
-Air StandardAir(double height);
+SKYLINECORE_EXPORT Air StandardAir(double height);
 
 /// Degrees by which air lifts a body at `elevation` (degrees, without air, -90 to 90):
 /// Saemundsson's formula (Meeus, Astronomical Algorithms, 2nd edition, eq. 16.4) times
@@ -27,7 +29,7 @@ Air StandardAir(double height);
 /// still see the sun and the air decides, a parabola leads to 0 at the nadir, so that value and
 /// slope are continuous everywhere. Near the zenith the formula falls a hair under 0 and is cut
 /// there. 0 in air that does not refract.
-double Refraction(double elevation, const Air& air);
+SKYLINECORE_EXPORT double Refraction(double elevation, const Air& air);
 
 } // namespace skyline
 

@@ -5,6 +5,7 @@
 
 #include "Horizon/Accumulator.h"
 #include "Horizon/PostBuffer.h"
+#include "SkylineCoreModule.h" // for the export macro
 #include "Sun/SunDisc.h"
 
 #include <array>
@@ -33,7 +34,7 @@ using SunDirections = std::function<void(
 /// if its own is outside of all.
 ///
 /// Memory: one float a post beside the result, two if the sun differs from post to post.
-class SunAccumulator : public Accumulator
+class SKYLINECORE_EXPORT SunAccumulator : public Accumulator
 {
 public:
   /// The same sun over all posts.

@@ -3,6 +3,8 @@
 #ifndef skyline_SunDisc_h
 #define skyline_SunDisc_h
 
+#include "SkylineCoreModule.h" // for the export macro
+
 #include <vector>
 
 namespace skyline
@@ -22,7 +24,7 @@ struct SunDisc
 
 /// Half the width of the azimuths that a disc covers: asin(sin radius / cos elevation), or pi if
 /// the zenith or the nadir lies inside it. Radians.
-double HalfSwath(double elevation, double radius);
+SKYLINECORE_EXPORT double HalfSwath(double elevation, double radius);
 
 /// What a disc covers of the half circle from nadir to zenith in one azimuth. Elevations here are
 /// less that of the disc's centre, so that the smallest disc keeps its digits. Radians.
@@ -35,10 +37,10 @@ struct DiscChord
 };
 
 /// The chord of a disc at an azimuth, given from that of its centre.
-DiscChord ChordOfDisc(const SunDisc& disc, double azimuthFromCentre);
+SKYLINECORE_EXPORT DiscChord ChordOfDisc(const SunDisc& disc, double azimuthFromCentre);
 
 /// The part of a disc between two azimuths as a sum of chords, and what a horizon hides of it.
-class DiscSlice
+class SKYLINECORE_EXPORT DiscSlice
 {
 public:
   /// The azimuths [from, to], radians from the centre's azimuth, at most half a turn; the parts
@@ -78,7 +80,7 @@ private:
 /// both ends included. One sun: 9 nodes, or 25 around the circle if its disc holds the zenith or
 /// nadir, or its azimuth alone if the radius is 0. With many suns the nodes are no closer than a
 /// quarter of the mean sun's radius.
-std::vector<double> SunAzimuths(
+SKYLINECORE_EXPORT std::vector<double> SunAzimuths(
   double azimuthMin, double azimuthMax, double elevationMin, double elevationMax, double radius);
 
 } // namespace skyline

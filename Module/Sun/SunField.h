@@ -4,6 +4,7 @@
 #define skyline_SunField_h
 
 #include "Geo/Georeference.h"
+#include "SkylineCoreModule.h" // for the export macro
 #include "Sun/UtcTime.h"
 
 #include <cstddef>
@@ -34,7 +35,7 @@ struct SunVector
 /// Sun directions of a height field at one time. They are computed at the nodes of a lattice of its
 /// own, which is refined until interpolation keeps SunFieldTolerance, and interpolated between:
 /// hundredths of a microsecond a post instead of microseconds.
-class SunField
+class SKYLINECORE_EXPORT SunField
 {
 public:
   /// `time`: UTC. `meanHeight`: metres; its standard air refracts everywhere (a kilometre higher

@@ -3,6 +3,7 @@
 #ifndef skyline_SunPosition_h
 #define skyline_SunPosition_h
 
+#include "SkylineCoreModule.h" // for the export macro
 #include "Sun/Refraction.h"
 #include "Sun/UtcTime.h"
 
@@ -37,7 +38,7 @@ struct SunDirection
 /// counts as 32.184 s, wrong by up to 35 s: 0.0004 degrees) and no known leap seconds in years to
 /// come: there the given time is as good as UT1 while UTC follows the Earth (error of TT by 2100
 /// about 2 minutes: 0.0015 degrees).
-class SunEphemeris
+class SKYLINECORE_EXPORT SunEphemeris
 {
 public:
   /// `ut1MinusUtc`: seconds, within -1 to 1, default 0 (IERS Bulletin A tells it).
@@ -58,8 +59,8 @@ private:
 };
 
 /// One place at one time: SunEphemeris(time, ut1MinusUtc).At(...).
-SunDirection ComputeSun(const UtcTime& time, double longitude, double latitude, double height,
-  const Air& air, double ut1MinusUtc = 0.0);
+SKYLINECORE_EXPORT SunDirection ComputeSun(const UtcTime& time, double longitude, double latitude,
+  double height, const Air& air, double ut1MinusUtc = 0.0);
 
 } // namespace skyline
 

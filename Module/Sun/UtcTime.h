@@ -3,6 +3,8 @@
 #ifndef skyline_UtcTime_h
 #define skyline_UtcTime_h
 
+#include "SkylineCoreModule.h" // for the export macro
+
 #include <string>
 
 namespace skyline
@@ -25,13 +27,13 @@ struct UtcTime
 /// means its first moment. Without a zone the time is UTC. Zones are Z, UTC, +hh:mm, +hhmm and +hh, or
 /// with a minus. Second 60 is read where ERFA's table has a leap second. Throws std::invalid_argument,
 /// naming the text and a form that works, for everything else.
-UtcTime ParseUtcTime(const std::string& text);
+SKYLINECORE_EXPORT UtcTime ParseUtcTime(const std::string& text);
 
 /// Whether a text that ParseUtcTime reads says in which zone its clock is.
-bool NamesZone(const std::string& text);
+SKYLINECORE_EXPORT bool NamesZone(const std::string& text);
 
 /// The moment as text that ParseUtcTime reads, cut (not rounded) to milliseconds.
-std::string ToText(const UtcTime& time);
+SKYLINECORE_EXPORT std::string ToText(const UtcTime& time);
 
 } // namespace skyline
 

@@ -4,13 +4,16 @@
 #ifndef skyline_LightCargo_h
 #define skyline_LightCargo_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -7,10 +7,10 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
-#include "vtkLightMapReader.h"
 #include "vtkObjectFactory.h"
 #include "vtkSkylineEnvironmentLight.h"
 #include "vtkSkylineLampLight.h"
+#include "vtkSkylineLightMapReader.h"
 #include "vtkSkylineSunLight.h"
 #include "vtkSmartPointer.h"
 
@@ -138,7 +138,7 @@ void vtkPVHeightFieldIrradiance::ReadEnvironment()
   listener->SetClientData(&report);
   listener->SetCallback([](vtkObject*, unsigned long, void* text, void* line)
     { *static_cast<std::string*>(text) = static_cast<const char*>(line); });
-  vtkNew<vtkLightMapReader> reader;
+  vtkNew<vtkSkylineLightMapReader> reader;
   reader->AddObserver(vtkCommand::ErrorEvent, listener);
   reader->SetFileName(this->EnvironmentFile.c_str());
   reader->Update();
@@ -185,5 +185,9 @@ void vtkPVHeightFieldIrradiance::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Sky: " << this->Sky << "\n"
      << indent << "EnvironmentFile: " << this->EnvironmentFile << "\n"
      << indent << "Rotation: " << this->Rotation << "\n"
-     << indent << "Lamps: " << this->Lamps.size() << "\n";
+     << indent << "Lamps: " << this->Lamps.size() << "\n"
+     << indent << "SunLight:\n";
+  this->SunLight->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "SkyLight:\n";
+  this->SkyLight->PrintSelf(os, indent.GetNextIndent());
 }

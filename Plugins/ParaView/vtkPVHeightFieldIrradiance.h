@@ -11,12 +11,14 @@
 
 #include "SkylineParaViewModule.h" // For export macro
 #include "vtkHeightFieldIrradiance.h"
-#include "vtkNew.h"          // For the lights
-#include "vtkSmartPointer.h" // For Lamps
+#include "vtkNew.h"                 // For the lights
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+#include "vtkSmartPointer.h"        // For Lamps
 
 #include <string> // For Time
 #include <vector> // For Lamps
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkSkylineEnvironmentLight;
 class vtkSkylineLampLight;
 class vtkSkylineSunLight;
@@ -82,7 +84,7 @@ public:
   ///@}
 
   ///@{
-  /// A light map that vtkLightMapReader reads (.hdr, .exr), for FILE_SKY; read once.
+  /// A light map that vtkSkylineLightMapReader reads (.hdr, .exr), for FILE_SKY; read once.
   vtkSetMacro(EnvironmentFile, std::string);
   vtkGetMacro(EnvironmentFile, std::string);
   ///@}
@@ -124,5 +126,6 @@ private:
   vtkPVHeightFieldIrradiance(const vtkPVHeightFieldIrradiance&) = delete;
   void operator=(const vtkPVHeightFieldIrradiance&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -10,7 +10,9 @@
 
 #include "SkylineParaViewModule.h" // For export macro
 #include "vtkHeightFieldSunShadow.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEPARAVIEW_EXPORT vtkPVHeightFieldSunShadow : public vtkHeightFieldSunShadow
 {
 public:
@@ -36,5 +38,6 @@ private:
   vtkPVHeightFieldSunShadow(const vtkPVHeightFieldSunShadow&) = delete;
   void operator=(const vtkPVHeightFieldSunShadow&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -42,3 +42,6 @@ if TYPE_CHECKING:
 
     def __getattr__(name: str) -> Any:
         """The wrapped classes, of which VTK has no hints."""
+
+else:
+    from ._renamed import find as __getattr__  # noqa: F401

@@ -20,7 +20,7 @@ from .SkylineFilters import (
     vtkHeightFieldIrradiance,
     vtkHeightFieldSkyView,
     vtkHeightFieldSunShadow,
-    vtkShadowHeightMap,
+    vtkHeightFieldShadowHeight,
     vtkSkylineLight,
 )
 
@@ -316,7 +316,7 @@ def shadow_height(
     if terrain.surface != 0:
         raise ValueError("surface is 'bilinear', which has no shadow heights; leave it out")
     azimuth, elevation = _check.direction("sun", sun)
-    filter_ = vtkShadowHeightMap()
+    filter_ = vtkHeightFieldShadowHeight()
     filter_.SetSunAzimuth(azimuth)
     filter_.SetSunElevation(elevation)
     filter_.SetBelowTerrain(_check.flag("below_terrain", below_terrain))

@@ -21,7 +21,7 @@ from .SkylineFilters import (
     vtkSkylineLight,
     vtkSkylineSunLight,
 )
-from .SkylineIO import vtkLightMapReader
+from .SkylineIO import vtkSkylineLightMapReader
 
 _ZONAL = (1, 3, 5, 16)  # the CIE skies that are the same all around
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)  # no "inf", "1_000" or " 1"
@@ -41,7 +41,7 @@ def environment_light(environment: Any, rotation: Any, sun: Any) -> vtkSkylineEn
         if kind in ("cie", "perez"):
             _set_sky(light, name, kind, rest, sun)
         elif name != "uniform":
-            reader = vtkLightMapReader()
+            reader = vtkSkylineLightMapReader()
             reader.SetFileName(name)
             run(reader)
             light.SetImage(reader.GetOutput())

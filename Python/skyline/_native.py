@@ -17,7 +17,8 @@ try:
     import vtkmodules
 
     # The base classes of the wrapped ones must be known to Python first.
-    from vtkmodules import vtkCommonCore, vtkCommonDataModel, vtkCommonExecutionModel  # noqa: F401
+    from vtkmodules import vtkCommonCore, vtkCommonDataModel  # noqa: F401
+    from vtkmodules import vtkCommonExecutionModel, vtkIOCore  # noqa: F401
 except ImportError as reason:
     raise ImportError(
         f"skyline needs numpy and VTK's Python modules, but in {sys.executable}: {reason}; run a Python "

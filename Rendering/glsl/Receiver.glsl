@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sun and sky on whatever stands or flies over a height field, by the shadow heights of its posts:
-// counterpart of vtkShadowReceiver (ShadowHeightPenumbra.h). The sky is nine functions of the normal, as if
+// counterpart of vtkHeightFieldShadowReceiver (ShadowHeightPenumbra.h). The sky is nine functions of the normal, as if
 // nothing hid it. SKYLINE_NORMAL: 0 of the faces, 1 of the points, 2 none, as if turned to the sun.
 //Fill::Pi
 uniform sampler2D skylineShadow; // of the upper and the lower limb, metres above the base

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Light on a Lambertian ground. What VTK would show unlit (colour, scalars, draped textures) is the
 // albedo. SKYLINE_COLOR, SKYLINE_ALBEDO and SKYLINE_DEVELOP say where codes become light and light
-// becomes codes: see vtkSoftShadowShader.cxx.
+// becomes codes: see vtkSkylineSoftShadowShader.cxx.
 in vec2 skylinePostVSOutput;
 uniform float skylineGain; // exposure over pi
 

@@ -8,12 +8,12 @@
 #include "Reference/FieldImage.h"
 #include "vtkHeightFieldCap.h"
 #include "vtkHeightFieldIrradiance.h"
+#include "vtkHeightFieldShadowHeight.h"
 #include "vtkHeightFieldSurface.h"
-#include "vtkShadowHeightMap.h"
 #include "vtkSkylineEnvironmentLight.h"
+#include "vtkSkylineSoftShadowPolyDataMapper.h"
+#include "vtkSkylineSoftShadowShader.h"
 #include "vtkSkylineSunLight.h"
-#include "vtkSoftShadowPolyDataMapper.h"
-#include "vtkSoftShadowShader.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -179,14 +179,14 @@ vtkSmartPointer<vtkPolyData> Aircraft()
   return mesh.Get();
 }
 
-vtkSmartPointer<vtkActor> ActorOf(vtkPolyData* mesh, vtkShadowHeightMap* shadow, double exposure,
-  const std::array<double, 3>& color)
+vtkSmartPointer<vtkActor> ActorOf(vtkPolyData* mesh, vtkHeightFieldShadowHeight* shadow,
+  double exposure, const std::array<double, 3>& color)
 {
-  vtkNew<vtkSoftShadowPolyDataMapper> mapper;
+  vtkNew<vtkSkylineSoftShadowPolyDataMapper> mapper;
   mapper->SetInputData(mesh);
   mapper->ScalarVisibilityOff();
-  vtkSoftShadowShader* shader = mapper->GetShader();
-  shader->SetMode(vtkSoftShadowShader::RECEIVER);
+  vtkSkylineSoftShadowShader* shader = mapper->GetShader();
+  shader->SetMode(vtkSkylineSoftShadowShader::RECEIVER);
   shader->SetHeightFieldConnection(shadow->GetOutputPort());
   shader->SetSunIrradiance(SunLight[0], SunLight[1], SunLight[2]);
   shader->SetUniformLight(SkyLight[0], SkyLight[1], SkyLight[2]);
@@ -218,7 +218,7 @@ vtkSmartPointer<vtkActor> GroundOf(
   surface->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
   surface->Update();
   points->ShallowCopy(surface->GetOutput()->GetPoints());
-  vtkNew<vtkSoftShadowPolyDataMapper> mapper;
+  vtkNew<vtkSkylineSoftShadowPolyDataMapper> mapper;
   mapper->SetInputData(surface->GetOutput());
   mapper->ScalarVisibilityOff();
   vtkNew<vtkImageData> lit;
@@ -241,7 +241,7 @@ Figure Dusk(Studio& studio, const Scale& scale)
   cap->SetInputData(image);
   cap->SetObjectsData(village);
   cap->Update();
-  vtkNew<vtkShadowHeightMap> shadow;
+  vtkNew<vtkHeightFieldShadowHeight> shadow;
   shadow->SetInputData(image);
   shadow->SetSunAzimuth(SunAzimuth);
   shadow->SetSunElevation(SunElevation);

@@ -4,8 +4,8 @@
 #include "Color/ToneMap.h"
 #include "OffscreenWindow.h"
 #include "vtkHeightFieldSurface.h"
-#include "vtkSoftShadowPolyDataMapper.h"
-#include "vtkSoftShadowShader.h"
+#include "vtkSkylineSoftShadowPolyDataMapper.h"
+#include "vtkSkylineSoftShadowShader.h"
 
 #include "vtkActor.h"
 #include "vtkDoubleArray.h"
@@ -150,7 +150,7 @@ Picture Studio::Draw(
   surface->SetInputData(image);
   surface->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
   surface->Update();
-  vtkNew<vtkSoftShadowPolyDataMapper> mapper;
+  vtkNew<vtkSkylineSoftShadowPolyDataMapper> mapper;
   mapper->SetInputConnection(surface->GetOutputPort());
   mapper->ScalarVisibilityOff();
   mapper->GetShader()->SetHeightField(image);

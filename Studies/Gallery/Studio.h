@@ -7,15 +7,18 @@
 #include "Picture.h"
 #include "Reference/LampOracle.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
 #include <array>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkPoints;
 class vtkRenderWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {
@@ -40,7 +43,7 @@ struct Look
   std::vector<Bulb> Bulbs;
 };
 
-/// Draws with vtkSoftShadowPolyDataMapper in a window that nobody sees.
+/// Draws with vtkSkylineSoftShadowPolyDataMapper in a window that nobody sees.
 class Studio
 {
 public:

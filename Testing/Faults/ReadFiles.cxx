@@ -12,10 +12,10 @@
 #include "vtkHeightFieldHorizon.h"
 #include "vtkHeightFieldReader.h"
 #include "vtkImageData.h"
-#include "vtkLightMapReader.h"
 #include "vtkNew.h"
 #include "vtkOutputWindow.h"
 #include "vtkPointData.h"
+#include "vtkSkylineLightMapReader.h"
 
 #include <chrono>
 #include <cmath>
@@ -82,7 +82,7 @@ std::string ReadRaster(const char* file)
 
 std::string ReadLight(const char* file)
 {
-  vtkNew<vtkLightMapReader> reader;
+  vtkNew<vtkSkylineLightMapReader> reader;
   reader->SetFileName(file);
   Update(reader);
   vtkDataArray* const pixels = reader->GetOutput()->GetPointData()->GetScalars();

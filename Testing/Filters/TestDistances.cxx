@@ -3,7 +3,7 @@
 // table of Documentation/distances.md.
 #include "GroundCases.h"
 
-#include "Data/vtkSkylineGeoreference.h"
+#include "Data/ImageGeoreference.h"
 #include "HorizonScene.h"
 #include "Shared/Constants.h"
 #include "vtkHeightFieldReader.h"

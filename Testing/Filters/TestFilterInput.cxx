@@ -2,7 +2,7 @@
 // Bad input: one line that says what is wrong, and an empty output. Abort and progress.
 #include "FilterTesting.h"
 
-#include "Data/vtkSkylineGeoreference.h"
+#include "Data/ImageGeoreference.h"
 #include "vtkCallbackCommand.h"
 #include "vtkExtractVOI.h"
 #include "vtkHeightFieldHorizon.h"

@@ -4,10 +4,10 @@
 
 #include "vtkCellArray.h"
 #include "vtkHeightFieldCap.h"
+#include "vtkHeightFieldShadowHeight.h"
+#include "vtkHeightFieldShadowReceiver.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkShadowHeightMap.h"
-#include "vtkShadowReceiver.h"
 
 #include <gtest/gtest.h>
 
@@ -100,7 +100,7 @@ TEST(HeightFieldCap, ChimneyShadesTheRoofAndTheGround)
   vtkNew<vtkHeightFieldCap> cap;
   cap->SetInputData(Plain());
   cap->SetObjectsData(objects);
-  vtkNew<vtkShadowHeightMap> map;
+  vtkNew<vtkHeightFieldShadowHeight> map;
   map->SetInputConnection(cap->GetOutputPort());
   map->SetSunAzimuth(270.0);
   map->SetSunElevation(45.0);
@@ -116,7 +116,7 @@ TEST(HeightFieldCap, ChimneyShadesTheRoofAndTheGround)
   points->InsertNextPoint(105.0, 215.0, 10.0); // before it
   vtkNew<vtkPolyData> cloud;
   cloud->SetPoints(points);
-  vtkNew<vtkShadowReceiver> receiver;
+  vtkNew<vtkHeightFieldShadowReceiver> receiver;
   receiver->SetInputData(cloud);
   receiver->SetShadowConnection(map->GetOutputPort());
   receiver->Update();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTesting.h"
 
-#include "Data/vtkSkylineGeoreference.h"
+#include "Data/ImageGeoreference.h"
 #include "vtkHeightFieldHorizon.h"
 #include "vtkHeightFieldReader.h"
 #include "vtkHeightFieldSkyView.h"

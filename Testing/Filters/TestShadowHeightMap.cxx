@@ -4,9 +4,9 @@
 
 #include "vtkFieldData.h"
 #include "vtkHeightFieldReader.h"
+#include "vtkHeightFieldShadowHeight.h"
 #include "vtkHeightFieldSunShadow.h"
 #include "vtkSMPTools.h"
-#include "vtkShadowHeightMap.h"
 
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ Count Compare(vtkImageData* image, double azimuth, double elevation)
   sun->SetSunElevation(elevation);
   sun->SetSunAngularRadius(0.0);
   sun->Update();
-  vtkNew<vtkShadowHeightMap> map;
+  vtkNew<vtkHeightFieldShadowHeight> map;
   map->SetInputData(image);
   map->SetSunAzimuth(azimuth);
   map->SetSunElevation(elevation);
@@ -127,12 +127,12 @@ TEST(ShadowHeightMap, DarkensThePostsThatSeeNoSunBesideMissingOnes)
 TEST(ShadowHeightMap, DoesNotDependOnThreads)
 {
   const auto image = WithHoles();
-  for (const int method : { vtkShadowHeightMap::EXACT, vtkShadowHeightMap::SWEEP })
+  for (const int method : { vtkHeightFieldShadowHeight::EXACT, vtkHeightFieldShadowHeight::SWEEP })
   {
     std::vector<float> first;
     for (const int threads : { 1, 2, 7 })
     {
-      vtkNew<vtkShadowHeightMap> map;
+      vtkNew<vtkHeightFieldShadowHeight> map;
       map->SetInputData(image);
       map->SetMethod(method);
       map->SetSunAzimuth(73.0);
@@ -167,7 +167,7 @@ constexpr double Metre = 1e-3; // floats near 600 m
 
 TEST(ShadowHeightMap, LimbsOfARidge)
 {
-  vtkNew<vtkShadowHeightMap> map;
+  vtkNew<vtkHeightFieldShadowHeight> map;
   map->SetInputData(Ridge());
   map->SetSunAzimuth(90.0);
   map->SetSunElevation(20.0);
@@ -203,7 +203,7 @@ TEST(ShadowHeightMap, LimbsOfARidge)
 
 TEST(ShadowHeightMap, SunsThatHaveNotRisen)
 {
-  vtkNew<vtkShadowHeightMap> map;
+  vtkNew<vtkHeightFieldShadowHeight> map;
   map->SetInputData(WithHoles());
   map->SetSunElevation(-0.1);
   map->SoftOn();
@@ -226,7 +226,7 @@ TEST(ShadowHeightMap, SunsThatHaveNotRisen)
   EXPECT_TRUE(std::isfinite(ArrayOf(map, "ShadowHeightUpper")->GetRange()[0]));
 }
 
-std::string ErrorOf(vtkShadowHeightMap* map)
+std::string ErrorOf(vtkHeightFieldShadowHeight* map)
 {
   vtkNew<ErrorCatcher> catcher;
   catcher->Watch(map);
@@ -239,7 +239,7 @@ std::string ErrorOf(vtkShadowHeightMap* map)
 
 TEST(ShadowHeightMap, RefusesInOneLine)
 {
-  vtkNew<vtkShadowHeightMap> map;
+  vtkNew<vtkHeightFieldShadowHeight> map;
   map->SetSunElevation(91.0);
   EXPECT_NE(ErrorOf(map).find("91"), std::string::npos);
   map->SetSunElevation(45.0);

@@ -3,11 +3,11 @@
 #include "FilterTesting.h"
 
 #include "vtkHeightFieldReader.h"
+#include "vtkHeightFieldShadowHeight.h"
+#include "vtkHeightFieldShadowReceiver.h"
 #include "vtkHeightFieldSunShadow.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkShadowHeightMap.h"
-#include "vtkShadowReceiver.h"
 
 #include <gtest/gtest.h>
 
@@ -46,8 +46,8 @@ double Tangent(double degrees)
 
 struct Scene
 {
-  vtkNew<vtkShadowHeightMap> Map;
-  vtkNew<vtkShadowReceiver> Receiver;
+  vtkNew<vtkHeightFieldShadowHeight> Map;
+  vtkNew<vtkHeightFieldShadowReceiver> Receiver;
 
   explicit Scene(vtkImageData* image)
   {
@@ -257,7 +257,7 @@ TEST(ShadowReceiver, RefusesInOneLine)
     points->InsertNextPoint(0.0, 0.0, 0.0);
     vtkNew<vtkPolyData> cloud;
     cloud->SetPoints(points);
-    vtkNew<vtkShadowReceiver> receiver;
+    vtkNew<vtkHeightFieldShadowReceiver> receiver;
     vtkNew<ErrorCatcher> catcher;
     catcher->Watch(receiver);
     receiver->SetInputData(cloud);
@@ -268,7 +268,7 @@ TEST(ShadowReceiver, RefusesInOneLine)
   };
   const auto image = Ridge();
   EXPECT_NE(refused(image).find("ShadowSun"), std::string::npos);
-  vtkNew<vtkShadowHeightMap> map;
+  vtkNew<vtkHeightFieldShadowHeight> map;
   map->SetInputData(image);
   map->Update();
   vtkNew<vtkImageData> bare;

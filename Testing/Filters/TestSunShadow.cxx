@@ -3,8 +3,8 @@
 #include "Shared/Constants.h"
 
 #include "vtkHeightFieldReader.h"
+#include "vtkHeightFieldShadowHeight.h"
 #include "vtkHeightFieldSunShadow.h"
-#include "vtkShadowHeightMap.h"
 #include "vtkSkylineSunLight.h"
 
 #include <gtest/gtest.h>
@@ -144,7 +144,7 @@ TEST(SunShadow, TimeOfDay)
 TEST(SunShadow, DefaultRadiusIsTheMeanSuns)
 {
   EXPECT_EQ(vtkNew<vtkHeightFieldSunShadow>()->GetSunAngularRadius(), MeanSunRadius);
-  EXPECT_EQ(vtkNew<vtkShadowHeightMap>()->GetSunAngularRadius(), MeanSunRadius);
+  EXPECT_EQ(vtkNew<vtkHeightFieldShadowHeight>()->GetSunAngularRadius(), MeanSunRadius);
   EXPECT_EQ(vtkNew<vtkSkylineSunLight>()->GetAngularRadius(), MeanSunRadius);
 }
 

@@ -5,8 +5,8 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkLightMapReader.h"
 #include "vtkPointData.h"
+#include "vtkSkylineLightMapReader.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <cmath>
@@ -18,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const std::string file = folder.File("map.hdr"); // the bytes tell the format
   skyline::testing::WriteBytes(file, bytes, size);
 
-  vtkNew<vtkLightMapReader> reader;
+  vtkNew<vtkSkylineLightMapReader> reader;
   reader->SetFileName(file.c_str());
   reader->UpdateInformation();
   int extent[6] = { 0, -1, 0, -1, 0, 0 };

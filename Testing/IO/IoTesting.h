@@ -3,7 +3,7 @@
 #ifndef skyline_IoTesting_h
 #define skyline_IoTesting_h
 
-#include "Data/vtkSkylineGeoreference.h"
+#include "Data/ImageGeoreference.h"
 #include "vtkHeightFieldReader.h"
 
 #include "vtkAlgorithm.h"

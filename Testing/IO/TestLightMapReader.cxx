@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkLightMapReader.h"
+#include "vtkSkylineLightMapReader.h"
 
-#include "Data/vtkLightMapImage.h"
+#include "Data/LightMapImage.h"
 #include "IoTesting.h"
 #include "Sky/LightMap.h"
 #include "Testing/Module/Sky/LightMapTesting.h"
@@ -118,9 +118,9 @@ std::string Write(const std::string& name, const Picture& picture)
   return path;
 }
 
-vtkSmartPointer<vtkLightMapReader> ReadMap(const std::string& file)
+vtkSmartPointer<vtkSkylineLightMapReader> ReadMap(const std::string& file)
 {
-  auto reader = vtkSmartPointer<vtkLightMapReader>::New();
+  auto reader = vtkSmartPointer<vtkSkylineLightMapReader>::New();
   const Errors errors(reader);
   reader->SetFileName(file.c_str());
   reader->Update();
@@ -130,7 +130,7 @@ vtkSmartPointer<vtkLightMapReader> ReadMap(const std::string& file)
 }
 
 void ExpectPixels(
-  vtkLightMapReader* reader, const Picture& picture, double bound, bool grey = false)
+  vtkSkylineLightMapReader* reader, const Picture& picture, double bound, bool grey = false)
 {
   int size[3];
   reader->GetOutput()->GetDimensions(size);
@@ -161,7 +161,7 @@ struct Failure
 
 void ExpectFailure(const std::string& file, unsigned long code, const std::string& words)
 {
-  vtkNew<vtkLightMapReader> reader;
+  vtkNew<vtkSkylineLightMapReader> reader;
   const Errors errors(reader);
   reader->SetFileName(file.c_str());
   reader->Update();
@@ -278,7 +278,7 @@ TEST(LightMapReader, MendedPixelsAreSaid)
   };
   for (const bool defects : { true, false })
   {
-    vtkNew<vtkLightMapReader> reader;
+    vtkNew<vtkSkylineLightMapReader> reader;
     std::vector<std::string> said;
     vtkNew<vtkCallbackCommand> listen;
     listen->SetClientData(&said);
@@ -388,7 +388,7 @@ TEST(LightMapReader, AbortLeavesNothing)
   Picture picture;
   picture.Columns = 512;
   picture.Lines = 256;
-  vtkNew<vtkLightMapReader> reader;
+  vtkNew<vtkSkylineLightMapReader> reader;
   const Errors errors(reader);
   reader->SetFileName(Write("large.exr", picture).c_str());
   vtkNew<vtkCallbackCommand> stop;
@@ -519,7 +519,7 @@ TEST(LightMapReaderFailures, ChannelsThatAreNoColours)
 
 TEST(LightMapReaderFailures, AFailureIsForgottenBySuccess)
 {
-  vtkNew<vtkLightMapReader> reader;
+  vtkNew<vtkSkylineLightMapReader> reader;
   {
     const Errors errors(reader);
     reader->SetFileName(OutputPath("absent.exr").c_str());

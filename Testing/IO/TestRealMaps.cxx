@@ -3,13 +3,13 @@
 // irradiance. Prints the table of Documentation/harmonics.md.
 #include "Sky/LightMap.h"
 
-#include "Data/vtkLightMapImage.h"
+#include "Data/LightMapImage.h"
 #include "Harmonics/SphericalHarmonics.h"
 #include "Shared/Constants.h"
 #include "Testing/Module/Harmonics/SphereQuadrature.h"
 #include "Testing/Module/NumberTable.h"
 #include "Testing/Module/Sky/LightMapTesting.h"
-#include "vtkLightMapReader.h"
+#include "vtkSkylineLightMapReader.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -57,7 +57,7 @@ protected:
     this->Original = std::string("pmndrs_") + GetParam() + ".hdr";
   }
 
-  vtkNew<vtkLightMapReader> Reader;
+  vtkNew<vtkSkylineLightMapReader> Reader;
   LightMap Map;
   std::string Original; ///< the name in the tables
 };

@@ -57,7 +57,7 @@ vtkSmartPointer<vtkImageData> Noise(int columns, int rows)
 struct Way
 {
   const char* Name;
-  vtkSmartPointer<vtkHeightFieldSink> Sink;
+  vtkSmartPointer<vtkHeightFieldFileWriter> Sink;
 };
 
 std::vector<Way> AllWays(vtkImageData* image)
@@ -82,7 +82,7 @@ std::vector<Way> AllWays(vtkImageData* image)
 }
 
 /// The message of a write that must fail.
-std::string Fail(vtkHeightFieldSink* sink, const std::string& file)
+std::string Fail(vtkHeightFieldFileWriter* sink, const std::string& file)
 {
   const Errors errors(sink);
   sink->SetFileName(file.c_str());

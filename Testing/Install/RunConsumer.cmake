@@ -17,6 +17,38 @@ run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${WORK_DIR}/first")
 # Moved after installation: nothing in it may depend on the place where it was installed.
 set(prefix "${WORK_DIR}/prefix")
 file(RENAME "${WORK_DIR}/first" "${prefix}")
+# One folder of headers: those of VTK classes, and of the export macros.
+file(GLOB_RECURSE headers LIST_DIRECTORIES true RELATIVE "${prefix}/include" "${prefix}/include/*")
+set(includes)
+foreach (header IN LISTS headers)
+  if (header MATCHES "^skyline/(vtk[A-Za-z]+|Skyline[A-Za-z]+Module)\\.h$")
+    get_filename_component(name "${header}" NAME)
+    string(APPEND includes "#include \"${name}\"\n")
+  elseif (NOT header STREQUAL "skyline")
+    message(FATAL_ERROR "installed, but no public header: include/${header}")
+  endif ()
+endforeach ()
+if (NOT includes MATCHES "vtkHeightFieldHorizon.h")
+  message(FATAL_ERROR "no headers were installed in ${prefix}/include/skyline")
+endif ()
+
+# They need no header that is not installed.
+file(WRITE "${WORK_DIR}/headers/headers.cxx" "${includes}")
+file(WRITE "${WORK_DIR}/headers/CMakeLists.txt" "
+cmake_minimum_required(VERSION 3.25)
+project(SkylineHeaders LANGUAGES C CXX)
+find_package(Skyline REQUIRED)
+add_library(headers OBJECT headers.cxx)
+target_link_libraries(headers PRIVATE
+  Skyline::SkylineFilters Skyline::SkylineIO Skyline::SkylineRendering)
+")
+run("${CMAKE_COMMAND}" -S "${WORK_DIR}/headers" -B "${WORK_DIR}/headers/build" -G "${GENERATOR}"
+  "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
+  "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"
+  "-DVTK_DIR=${VTK_DIR}"
+  "-DCMAKE_PREFIX_PATH=${prefix}")
+run("${CMAKE_COMMAND}" --build "${WORK_DIR}/headers/build")
+
 run("${CMAKE_COMMAND}" -S "${CONSUMER_DIR}" -B "${WORK_DIR}/build" -G "${GENERATOR}"
   "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}"
   "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"

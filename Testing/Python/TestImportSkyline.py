@@ -8,18 +8,18 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 CLASSES = [
-    "vtkHeightFieldReader", "vtkHeightFieldSink", "vtkHeightFieldWriter",
+    "vtkHeightFieldReader", "vtkHeightFieldFileWriter", "vtkHeightFieldWriter",
     "vtkHeightFieldPictureWriter",
     "vtkHeightFieldAlgorithm", "vtkHeightFieldHorizon", "vtkHeightFieldSkyView",
     "vtkHeightFieldSunShadow", "vtkHeightFieldShading", "vtkHeightFieldSkyLight",
-    "vtkHeightFieldSurface", "vtkSkylineEGLWindow", "vtkSoftShadowPolyDataMapper",
-    "vtkSoftShadowShader", "vtkHeightFieldVisibility", "vtkHeightFieldTransfer",
+    "vtkHeightFieldSurface", "vtkSkylineEGLWindow", "vtkSkylineSoftShadowPolyDataMapper",
+    "vtkSkylineSoftShadowShader", "vtkHeightFieldVisibility", "vtkHeightFieldTransfer",
     "vtkHeightFieldInspection", "vtkHeightFieldIrradiance", "vtkSkylineLight", "vtkSkylineEnvironmentLight",
-    "vtkSkylineKeyLight", "vtkSkylineLampLight", "vtkSkylineSunLight", "vtkLightMapReader",
-    "vtkShadowHeightMap", "vtkShadowReceiver", "vtkHeightFieldCap",
+    "vtkSkylineKeyLight", "vtkSkylineLampLight", "vtkSkylineSunLight", "vtkSkylineLightMapReader",
+    "vtkHeightFieldShadowHeight", "vtkHeightFieldShadowReceiver", "vtkHeightFieldCap",
     "vtkOpenGLHeightFieldDevice", "vtkOpenGLHeightFieldHorizon",
     "vtkOpenGLHeightFieldVisibility", "vtkOpenGLHeightFieldTransfer",
-    "vtkOpenGLHeightFieldIrradiance",
+    "vtkOpenGLHeightFieldIrradiance", "vtkOpenGLHeightFieldShadowHeight",
 ]
 
 
@@ -27,6 +27,12 @@ class TestImportSkyline(unittest.TestCase):
     def test_classes(self):
         for name in CLASSES:
             self.assertTrue(hasattr(skyline, name), name)
+
+    def test_old_names_of_classes(self):
+        with self.assertWarnsRegex(DeprecationWarning, "is called vtkSkylineLightMapReader"):
+            self.assertIs(skyline.vtkLightMapReader, skyline.vtkSkylineLightMapReader)
+        with self.assertRaisesRegex(AttributeError, "no attribute 'vtkMoon'"):
+            skyline.vtkMoon  # noqa: B018
 
     def test_flat_field_has_a_level_horizon(self):
         image = vtkImageData()

@@ -23,7 +23,7 @@ def ridge():
 
 class Wrapped(unittest.TestCase):
     def test_receiver(self):
-        shadow = skyline.vtkShadowHeightMap()
+        shadow = skyline.vtkHeightFieldShadowHeight()
         shadow.SetInputData(ridge())
         shadow.SetSunAzimuth(90.0)
         shadow.SetSunElevation(45.0)
@@ -33,7 +33,7 @@ class Wrapped(unittest.TestCase):
             points.InsertNextPoint(80.0, 10.0, height)
         cloud = vtkPolyData()
         cloud.SetPoints(points)
-        receiver = skyline.vtkShadowReceiver()
+        receiver = skyline.vtkHeightFieldShadowReceiver()
         receiver.SetInputData(cloud)
         receiver.SetShadowConnection(shadow.GetOutputPort())
         receiver.Update()
@@ -47,7 +47,7 @@ class Wrapped(unittest.TestCase):
         """A roof at 20 m: dark near the ridge, lit beyond 30 m from it; read from pixels."""
         if not skyline.vtkSkylineEGLWindow.IsSupported():
             self.skipTest("no OpenGL context")
-        shadow = skyline.vtkShadowHeightMap()
+        shadow = skyline.vtkHeightFieldShadowHeight()
         shadow.SetInputData(ridge())
         shadow.SetSunAzimuth(90.0)
         shadow.SetSunElevation(45.0)
@@ -62,10 +62,10 @@ class Wrapped(unittest.TestCase):
         roof = vtkPolyData()
         roof.SetPoints(points)
         roof.SetPolys(faces)
-        mapper = skyline.vtkSoftShadowPolyDataMapper()
+        mapper = skyline.vtkSkylineSoftShadowPolyDataMapper()
         mapper.SetInputData(roof)
         shader = mapper.GetShader()
-        shader.SetMode(skyline.vtkSoftShadowShader.RECEIVER)
+        shader.SetMode(skyline.vtkSkylineSoftShadowShader.RECEIVER)
         shader.SetHeightFieldConnection(shadow.GetOutputPort())
         shader.SetSunIrradiance(3.0, 3.0, 3.0)
         shader.SetUniformLight(0.1, 0.1, 0.1)

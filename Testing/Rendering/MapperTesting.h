@@ -6,8 +6,8 @@
 #include "Color/ToneMap.h"
 #include "vtkHeightFieldSurface.h"
 #include "vtkSkylineEGLWindow.h"
-#include "vtkSoftShadowPolyDataMapper.h"
-#include "vtkSoftShadowShader.h"
+#include "vtkSkylineSoftShadowPolyDataMapper.h"
+#include "vtkSkylineSoftShadowShader.h"
 
 #include "Testing/Filters/FilterTesting.h"
 
@@ -144,14 +144,15 @@ public:
 
 /// A mapper that draws all triangles of a height field in its light, from a mesh with corners at
 /// every stride-th post.
-inline vtkSmartPointer<vtkSoftShadowPolyDataMapper> MapperOf(vtkImageData* image, int stride = 1)
+inline vtkSmartPointer<vtkSkylineSoftShadowPolyDataMapper> MapperOf(
+  vtkImageData* image, int stride = 1)
 {
   vtkNew<vtkHeightFieldSurface> surface;
   surface->SetInputData(image);
   surface->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
   surface->SetStride(stride);
   surface->Update();
-  auto mapper = vtkSmartPointer<vtkSoftShadowPolyDataMapper>::New();
+  auto mapper = vtkSmartPointer<vtkSkylineSoftShadowPolyDataMapper>::New();
   mapper->SetInputData(surface->GetOutput());
   mapper->ScalarVisibilityOff();
   mapper->GetShader()->SetHeightField(image);

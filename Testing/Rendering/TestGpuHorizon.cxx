@@ -4,7 +4,7 @@
 #include "vtkOpenGLHeightFieldHorizon.h"
 #include "vtkOpenGLHeightFieldTransfer.h"
 
-#include "Data/vtkSkylineGeoreference.h"
+#include "Data/ImageGeoreference.h"
 
 namespace skyline
 {

@@ -8,8 +8,8 @@
 #include "vtkSkylineEnvironmentLight.h"
 #include "vtkSkylineKeyLight.h"
 #include "vtkSkylineLampLight.h"
-#include "vtkSoftShadowPolyDataMapper.h"
-#include "vtkSoftShadowShader.h"
+#include "vtkSkylineSoftShadowPolyDataMapper.h"
+#include "vtkSkylineSoftShadowShader.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -160,7 +160,7 @@ public:
 
   vtkNew<vtkSkylineEGLWindow> Window;
   vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkSoftShadowPolyDataMapper> Mapper;
+  vtkNew<vtkSkylineSoftShadowPolyDataMapper> Mapper;
 };
 
 // Frame after frame from heights to pixels: no array in between.

@@ -3,9 +3,9 @@
 #include "GpuTesting.h"
 
 #include "vtkOpenGLHeightFieldHorizon.h"
-#include "vtkOpenGLShadowHeightMap.h"
+#include "vtkOpenGLHeightFieldShadowHeight.h"
 
-#include "Data/vtkSkylineGeoreference.h"
+#include "Data/ImageGeoreference.h"
 #include "vtkSkylineEGLWindow.h"
 
 namespace skyline
@@ -35,13 +35,13 @@ protected:
 
   void Compare(vtkImageData* image, int method, double tolerance, const std::vector<Light>& lights)
   {
-    vtkNew<vtkOpenGLShadowHeightMap> gpu;
+    vtkNew<vtkOpenGLHeightFieldShadowHeight> gpu;
     gpu->SetDevice(this->Device);
-    vtkNew<vtkShadowHeightMap> host;
+    vtkNew<vtkHeightFieldShadowHeight> host;
     for (const Light& light : lights)
     {
-      for (vtkShadowHeightMap* filter :
-        { static_cast<vtkShadowHeightMap*>(gpu), host.GetPointer() })
+      for (vtkHeightFieldShadowHeight* filter :
+        { static_cast<vtkHeightFieldShadowHeight*>(gpu), host.GetPointer() })
       {
         filter->SetInputData(image);
         filter->SetMethod(method);
@@ -79,13 +79,13 @@ protected:
 
 TEST_F(ShadowGpu, ExactInAllOctants)
 {
-  this->Compare(ImageOf<vtkDoubleArray>(Hills(131, 97)), vtkShadowHeightMap::EXACT,
+  this->Compare(ImageOf<vtkDoubleArray>(Hills(131, 97)), vtkHeightFieldShadowHeight::EXACT,
     RoundingTolerance, AllAround());
 }
 
 TEST_F(ShadowGpu, ExactBesideMissingPosts)
 {
-  this->Compare(ImageOf<vtkDoubleArray>(HolyHills(97, 131)), vtkShadowHeightMap::EXACT,
+  this->Compare(ImageOf<vtkDoubleArray>(HolyHills(97, 131)), vtkHeightFieldShadowHeight::EXACT,
     RoundingTolerance, AllAround());
 }
 
@@ -107,7 +107,7 @@ TEST_F(ShadowGpu, ExactOnABody)
   }
   StoreGeoreference(place, image);
   constexpr double far = 3.0e-3; // shadows fall by kilometres here
-  this->Compare(image, vtkShadowHeightMap::EXACT, far, { { 200.0, 2.0 }, { 77.0, 4.0 } });
+  this->Compare(image, vtkHeightFieldShadowHeight::EXACT, far, { { 200.0, 2.0 }, { 77.0, 4.0 } });
 }
 
 class SweepGpu : public ShadowGpu
@@ -120,7 +120,7 @@ protected:
     {
       return;
     }
-    vtkNew<vtkOpenGLShadowHeightMap> probe;
+    vtkNew<vtkOpenGLHeightFieldShadowHeight> probe;
     vtkNew<ErrorCatcher> errors;
     errors->Watch(probe);
     probe->SetDevice(this->Device);
@@ -138,16 +138,16 @@ protected:
 // More lanes than a work group, more lines than a run.
 TEST_F(SweepGpu, AsPublishedInAllOctants)
 {
-  this->Compare(ImageOf<vtkDoubleArray>(Hills(531, 197)), vtkShadowHeightMap::SWEEP, SweepTolerance,
-    AllAround());
+  this->Compare(ImageOf<vtkDoubleArray>(Hills(531, 197)), vtkHeightFieldShadowHeight::SWEEP,
+    SweepTolerance, AllAround());
 }
 
 TEST_F(SweepGpu, AsPublishedOverHolesAndOnTheSmallestFields)
 {
-  this->Compare(ImageOf<vtkDoubleArray>(HolyHills(131, 97)), vtkShadowHeightMap::SWEEP,
+  this->Compare(ImageOf<vtkDoubleArray>(HolyHills(131, 97)), vtkHeightFieldShadowHeight::SWEEP,
     SweepTolerance, AllAround());
-  this->Compare(
-    ImageOf<vtkDoubleArray>(Hills(2, 9)), vtkShadowHeightMap::SWEEP, SweepTolerance, AllAround());
+  this->Compare(ImageOf<vtkDoubleArray>(Hills(2, 9)), vtkHeightFieldShadowHeight::SWEEP,
+    SweepTolerance, AllAround());
 }
 
 TEST_F(SweepGpu, HullsAsTheHostKeepsThem)
@@ -182,7 +182,7 @@ TEST_F(SweepGpu, ALostContextIsReplaced)
   }
   const auto image = ImageOf<vtkDoubleArray>(Hills(50, 30));
   vtkNew<vtkSkylineEGLWindow> window;
-  vtkNew<vtkOpenGLShadowHeightMap> gpu;
+  vtkNew<vtkOpenGLHeightFieldShadowHeight> gpu;
   gpu->GetDevice()->SetRenderWindow(window);
   gpu->SetInputData(image);
   gpu->SetMethodToSweep();
@@ -203,7 +203,7 @@ TEST_F(ShadowGpu, AFieldBeyondTheLargestTextureIsTheHosts)
 {
   this->Device->SetTextureLimit(40);
   const auto image = ImageOf<vtkDoubleArray>(Hills(50, 30));
-  vtkNew<vtkOpenGLShadowHeightMap> gpu;
+  vtkNew<vtkOpenGLHeightFieldShadowHeight> gpu;
   vtkNew<ErrorCatcher> errors;
   errors->Watch(gpu);
   gpu->SetDevice(this->Device);
@@ -216,7 +216,7 @@ TEST_F(ShadowGpu, AFieldBeyondTheLargestTextureIsTheHosts)
   EXPECT_NE(
     errors->Text.find("50 x 30 posts are beyond the largest texture, 40 a side"), std::string::npos)
     << errors->Text;
-  vtkNew<vtkShadowHeightMap> host;
+  vtkNew<vtkHeightFieldShadowHeight> host;
   host->SetInputData(image);
   host->Update();
   EXPECT_EQ(Difference(ArrayOf(gpu, "ShadowHeight"), ArrayOf(host, "ShadowHeight")), 0.0);
@@ -224,7 +224,7 @@ TEST_F(ShadowGpu, AFieldBeyondTheLargestTextureIsTheHosts)
 
 TEST_F(ShadowGpu, BadSettingsAreErrorsAsOnTheHost)
 {
-  vtkNew<vtkOpenGLShadowHeightMap> gpu;
+  vtkNew<vtkOpenGLHeightFieldShadowHeight> gpu;
   vtkNew<ErrorCatcher> errors;
   errors->Watch(gpu);
   gpu->SetDevice(this->Device);
@@ -244,7 +244,7 @@ TEST(ShadowGpuFailures, WithoutAContextTheHostComputesAndSaysSoOnce)
   window->SetDevice(12345);
   vtkNew<ErrorCatcher> silence;
   window->AddObserver(vtkCommand::ErrorEvent, silence);
-  vtkNew<vtkOpenGLShadowHeightMap> gpu;
+  vtkNew<vtkOpenGLHeightFieldShadowHeight> gpu;
   vtkNew<ErrorCatcher> errors;
   errors->Watch(gpu);
   gpu->GetDevice()->SetRenderWindow(window);
@@ -254,7 +254,7 @@ TEST(ShadowGpuFailures, WithoutAContextTheHostComputesAndSaysSoOnce)
   gpu->Update();
   EXPECT_FALSE(gpu->IsOnDevice());
   EXPECT_EQ(errors->Count, 1);
-  vtkNew<vtkShadowHeightMap> host;
+  vtkNew<vtkHeightFieldShadowHeight> host;
   host->SetInputData(image);
   host->Update();
   EXPECT_EQ(Difference(ArrayOf(gpu, "ShadowHeight"), ArrayOf(host, "ShadowHeight")), 0.0);

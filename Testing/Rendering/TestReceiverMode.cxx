@@ -2,10 +2,10 @@
 // Mode RECEIVER of the mapper: anything above the terrain, drawn in its shadow, by pixels.
 #include "MapperTesting.h"
 
+#include "vtkHeightFieldShadowHeight.h"
+#include "vtkHeightFieldShadowReceiver.h"
 #include "vtkHeightFieldSunShadow.h"
 #include "vtkPoints.h"
-#include "vtkShadowHeightMap.h"
-#include "vtkShadowReceiver.h"
 
 #include "vtkCellArray.h"
 #include "vtkSphereSource.h"
@@ -71,9 +71,10 @@ protected:
     this->Mapper->AddObserver(vtkCommand::ErrorEvent, this->Errors);
     this->Actor = this->Scene->Add(this->Mapper);
     this->Actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
-    vtkSoftShadowShader* shader = this->Mapper->GetShader();
+    vtkSkylineSoftShadowShader* shader = this->Mapper->GetShader();
     shader->SetHeightFieldConnection(this->Map->GetOutputPort());
-    shader->SetMode(vtkSoftShadowShader::RECEIVER);
+    shader->AddObserver(vtkCommand::ErrorEvent, this->Errors);
+    shader->SetMode(vtkSkylineSoftShadowShader::RECEIVER);
     shader->SetSunIrradiance(Sun, Sun, Sun);
     shader->SetUniformLight(Sky, Sky, Sky);
   }
@@ -111,7 +112,7 @@ protected:
     }
     vtkNew<vtkPolyData> cloud;
     cloud->SetPoints(points);
-    vtkNew<vtkShadowReceiver> receiver;
+    vtkNew<vtkHeightFieldShadowReceiver> receiver;
     receiver->SetInputData(cloud);
     receiver->SetShadowConnection(this->Map->GetOutputPort());
     receiver->SetPenumbraDepth(depth);
@@ -151,8 +152,8 @@ protected:
   }
 
   vtkSmartPointer<vtkImageData> Image;
-  vtkNew<vtkShadowHeightMap> Map;
-  vtkNew<vtkSoftShadowPolyDataMapper> Mapper;
+  vtkNew<vtkHeightFieldShadowHeight> Map;
+  vtkNew<vtkSkylineSoftShadowPolyDataMapper> Mapper;
   vtkNew<ErrorCatcher> Errors;
   std::unique_ptr<MapScene> Scene;
   vtkSmartPointer<vtkActor> Actor;
@@ -291,7 +292,8 @@ TEST_F(ReceiverMode, WithoutShadowHeightsItSaysWhatToGive)
   this->Scene->Render();
   this->Scene->Render();
   EXPECT_EQ(this->Errors->Count, 1);
-  EXPECT_NE(this->Errors->Text.find("give the output of vtkShadowHeightMap"), std::string::npos)
+  EXPECT_NE(
+    this->Errors->Text.find("give the output of vtkHeightFieldShadowHeight"), std::string::npos)
     << this->Errors->Text;
   EXPECT_EQ(this->Scene->Pixel(40, 30), (Byte3{ { 0, 0, 0 } }));
 }

@@ -50,7 +50,7 @@ protected:
   }
 
   // From the south, all of it in sight.
-  static void Look(MapScene& scene, vtkSoftShadowPolyDataMapper* mapper)
+  static void Look(MapScene& scene, vtkSkylineSoftShadowPolyDataMapper* mapper)
   {
     scene.Window->SetSize(240, 150);
     scene.Renderer->SetBackground(0.6, 0.7, 0.85);
@@ -62,7 +62,7 @@ protected:
   }
 
   // A warm light from the west, a blue one from all the sky.
-  static void Shine(vtkSoftShadowShader* shader)
+  static void Shine(vtkSkylineSoftShadowShader* shader)
   {
     std::array<double, 16> key{};
     std::array<double, 4> zonal{};
@@ -108,7 +108,7 @@ TEST_F(SoftShadowImages, TransferWithColorsOfHeights)
   const auto seen = See<vtkHeightFieldTransfer>();
   MapScene scene(seen);
   const auto mapper = MapperOf(seen, 2);
-  mapper->GetShader()->SetMode(vtkSoftShadowShader::TRANSFER);
+  mapper->GetShader()->SetMode(vtkSkylineSoftShadowShader::TRANSFER);
   Shine(mapper->GetShader());
   vtkNew<vtkColorTransferFunction> colors;
   const ColorMap& map = *FindColorMap("hypsometric");
@@ -138,7 +138,7 @@ TEST_F(SoftShadowImages, VisibilityWithALampAndACut)
     });
   MapScene scene(seen);
   const auto mapper = MapperOf(seen);
-  mapper->GetShader()->SetMode(vtkSoftShadowShader::VISIBILITY);
+  mapper->GetShader()->SetMode(vtkSkylineSoftShadowShader::VISIBILITY);
   Shine(mapper->GetShader());
   mapper->GetShader()->SetExposure(-1.0);
   mapper->GetShader()->SetLampRadiance(0, 1.0, 0.6, 0.2);

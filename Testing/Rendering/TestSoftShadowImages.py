@@ -99,7 +99,7 @@ class SoftShadowImages(unittest.TestCase):
     def test_ridges(self):
         surface = skyline.vtkHeightFieldSurface()
         surface.SetInputData(ridges())
-        mapper = skyline.vtkSoftShadowPolyDataMapper()
+        mapper = skyline.vtkSkylineSoftShadowPolyDataMapper()
         mapper.SetInputConnection(surface.GetOutputPort())
         mapper.ScalarVisibilityOff()
         mapper.GetShader().SetHeightField(lit(ridges()))

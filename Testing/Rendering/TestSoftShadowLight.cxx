@@ -44,7 +44,7 @@ Coefficients OpenSky()
   return sky;
 }
 
-void SetLight(vtkSoftShadowShader* shader, const std::vector<Coefficients>& rgb)
+void SetLight(vtkSkylineSoftShadowShader* shader, const std::vector<Coefficients>& rgb)
 {
   for (int i = 0; i < Count; ++i)
   {
@@ -134,7 +134,7 @@ TEST_F(SoftShadowLight, VisibilityTimesCosineTimesLightIsTheTripleIntegral)
   AddArray(plane, "VisibilitySH", Count, [&](int, int) { return visible; });
   MapScene scene(plane);
   const auto mapper = MapperOf(plane);
-  mapper->GetShader()->SetMode(vtkSoftShadowShader::VISIBILITY);
+  mapper->GetShader()->SetMode(vtkSkylineSoftShadowShader::VISIBILITY);
   mapper->GetShader()->ToneMappingOff();
   scene.Add(mapper)->GetProperty()->SetColor(1.0, 1.0, 1.0);
   const double length = std::sqrt(1.0 + a * a + b * b);
@@ -181,7 +181,7 @@ TEST_F(SoftShadowLight, TransferTimesLightIsTheirDotProduct)
   AddArray(flat, "TransferSH", Count, [&](int, int) { return transfer; });
   MapScene scene(flat);
   const auto mapper = MapperOf(flat);
-  mapper->GetShader()->SetMode(vtkSoftShadowShader::TRANSFER);
+  mapper->GetShader()->SetMode(vtkSkylineSoftShadowShader::TRANSFER);
   SetLight(mapper->GetShader(), light);
   scene.Add(mapper)->GetProperty()->SetColor(1.0, 1.0, 1.0);
   scene.Render();

@@ -76,6 +76,7 @@ protected:
     this->Ground = this->Level(0.0);
     this->Mapper = MapperOf(this->Ground);
     this->Mapper->AddObserver(vtkCommand::ErrorEvent, this->Errors);
+    this->Shader()->AddObserver(vtkCommand::ErrorEvent, this->Errors);
     this->Scene = std::make_unique<MapScene>(this->Ground);
     this->Actor = this->Scene->Add(this->Mapper);
     this->Actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
@@ -103,7 +104,7 @@ protected:
     return this->Scene->Pixel(Size / 2, Size / 2);
   }
 
-  vtkSoftShadowShader* Shader() { return this->Mapper->GetShader(); }
+  vtkSkylineSoftShadowShader* Shader() { return this->Mapper->GetShader(); }
   int Uploads() { return this->Shader()->GetNumberOfTextureUploads(); }
   bool TextHas(const char* word)
   {
@@ -111,7 +112,7 @@ protected:
   }
 
   vtkSmartPointer<vtkImageData> Ground;
-  vtkSmartPointer<vtkSoftShadowPolyDataMapper> Mapper;
+  vtkSmartPointer<vtkSkylineSoftShadowPolyDataMapper> Mapper;
   vtkNew<ErrorCatcher> Errors;
   std::unique_ptr<MapScene> Scene;
   vtkSmartPointer<vtkActor> Actor;
@@ -161,16 +162,16 @@ TEST_F(SoftShadowMapper, OnlyWhatChangedIsUploaded)
   EXPECT_EQ(this->Uploads(), 1);
   this->Scene->Render();
   EXPECT_EQ(this->Uploads(), 1);
-  this->Shader()->SetMode(vtkSoftShadowShader::TRANSFER);
+  this->Shader()->SetMode(vtkSkylineSoftShadowShader::TRANSFER);
   this->Middle();
   EXPECT_EQ(this->Uploads(), 5);
-  this->Shader()->SetMode(vtkSoftShadowShader::VISIBILITY);
+  this->Shader()->SetMode(vtkSkylineSoftShadowShader::VISIBILITY);
   this->Middle();
   EXPECT_EQ(this->Uploads(), 10);
   this->Ground->GetPointData()->GetArray("Elevation")->Modified();
   this->Middle();
   EXPECT_EQ(this->Uploads(), 11) << "the normals alone";
-  this->Shader()->SetMode(vtkSoftShadowShader::IRRADIANCE);
+  this->Shader()->SetMode(vtkSkylineSoftShadowShader::IRRADIANCE);
   vtkDataArray* light = this->Ground->GetPointData()->GetArray("Irradiance");
   light->FillComponent(0, 0.0);
   light->Modified();
@@ -186,7 +187,7 @@ TEST_F(SoftShadowMapper, WhatIsNotThereIsNotInTheShader)
     EXPECT_FALSE(this->TextHas(word)) << word;
   }
   EXPECT_TRUE(this->TextHas("skylineIrradiance"));
-  this->Shader()->SetMode(vtkSoftShadowShader::TRANSFER);
+  this->Shader()->SetMode(vtkSkylineSoftShadowShader::TRANSFER);
   this->Middle();
   EXPECT_TRUE(this->TextHas("skylineHarmonics3"));
   EXPECT_FALSE(this->TextHas("skylineIrradiance") || this->TextHas("Gradient"));
@@ -214,7 +215,7 @@ TEST_F(SoftShadowMapper, AMovedCameraCostsNothing)
   visibility->SetInputData(this->Ground);
   visibility->SetNumberOfAzimuths(3);
   this->Shader()->SetHeightFieldConnection(visibility->GetOutputPort());
-  this->Shader()->SetMode(vtkSoftShadowShader::VISIBILITY);
+  this->Shader()->SetMode(vtkSkylineSoftShadowShader::VISIBILITY);
   this->Shader()->SetUniformLight(1.0, 1.0, 1.0);
   this->Middle();
   EXPECT_EQ(executions->Count, 1);
@@ -237,8 +238,8 @@ TEST_F(SoftShadowMapper, NoLampNoTextureAndNoText)
     [](int, int) {
       return std::vector<double>{ 1.0, 2.0 };
     });
-  for (const int mode : { vtkSoftShadowShader::IRRADIANCE, vtkSoftShadowShader::TRANSFER,
-         vtkSoftShadowShader::VISIBILITY })
+  for (const int mode : { vtkSkylineSoftShadowShader::IRRADIANCE,
+         vtkSkylineSoftShadowShader::TRANSFER, vtkSkylineSoftShadowShader::VISIBILITY })
   {
     this->Shader()->SetMode(mode);
     this->Middle();
@@ -337,7 +338,7 @@ TEST_F(SoftShadowMapper, ActorsShareTheLightAndLeaveOthersAlone)
   left->SetOrigin(-1.0, -1.0, 5.0);
   left->SetPoint1(3.0, -1.0, 5.0);
   left->SetPoint2(-1.0, Size, 5.0);
-  vtkNew<vtkSoftShadowPolyDataMapper> second;
+  vtkNew<vtkSkylineSoftShadowPolyDataMapper> second;
   second->SetInputConnection(left->GetOutputPort());
   second->SetShader(this->Shader());
   this->Scene->Add(second)->GetProperty()->SetColor(0.5, 0.5, 0.5);
@@ -452,16 +453,16 @@ TEST_F(SoftShadowErrors, MissingArraysAreNamed)
   this->ExpectRefused("no point array Sunshine of 3 components");
   this->Shader()->SetIrradianceArrayName("Elevation");
   this->ExpectRefused("no point array Elevation of 3 components");
-  this->Shader()->SetMode(vtkSoftShadowShader::TRANSFER);
+  this->Shader()->SetMode(vtkSkylineSoftShadowShader::TRANSFER);
   this->Shader()->SetTransferArrayName("T");
   this->ExpectRefused("no point array T of 16 components");
-  this->Shader()->SetMode(vtkSoftShadowShader::VISIBILITY);
+  this->Shader()->SetMode(vtkSkylineSoftShadowShader::VISIBILITY);
   this->Shader()->SetVisibilityArrayName("V");
   this->ExpectRefused("no point array V of 16 components");
   this->Shader()->SetVisibilityArrayName("VisibilitySH");
   this->Ground->GetPointData()->RemoveArray("Elevation");
   this->ExpectRefused("no point array Elevation of 1 components");
-  this->Shader()->SetMode(vtkSoftShadowShader::IRRADIANCE);
+  this->Shader()->SetMode(vtkSkylineSoftShadowShader::IRRADIANCE);
   this->Shader()->SetIrradianceArrayName("Irradiance");
   this->Shader()->SetLampRadiance(2, 1.0, 1.0, 1.0);
   this->ExpectRefused("no point array LampIrradiance of 1 to 4 components");
@@ -511,7 +512,6 @@ TEST_F(SoftShadowErrors, NoContext)
 
 TEST_F(SoftShadowErrors, CoefficientsAndLampsHaveARange)
 {
-  this->Shader()->AddObserver(vtkCommand::ErrorEvent, this->Errors);
   this->Shader()->SetLightCoefficient(16, 1.0, 1.0, 1.0);
   EXPECT_NE(this->Errors->Text.find("no light coefficient 16: 0 to 15"), std::string::npos);
   this->Shader()->SetLampRadiance(-1, 1.0, 1.0, 1.0);

@@ -8,10 +8,10 @@
 
 #include "vtkHeightFieldHorizon.h"
 #include "vtkHeightFieldIrradiance.h"
+#include "vtkHeightFieldShadowHeight.h"
 #include "vtkHeightFieldSkyView.h"
 #include "vtkHeightFieldSunShadow.h"
 #include "vtkHeightFieldTransfer.h"
-#include "vtkShadowHeightMap.h"
 #include "vtkSkylineEnvironmentLight.h"
 #include "vtkSkylineKeyLight.h"
 #include "vtkSkylineLampLight.h"
@@ -219,12 +219,12 @@ TEST_P(StabilityOfFilters, ShadowHeights)
   this->Image->GetPointData()->GetScalars()->GetFiniteRange(range);
   // Floats near the greatest height lie so far apart.
   const double spacing = 2.4e-7 * std::max(std::abs(range[0]), std::abs(range[1]));
-  vtkNew<vtkShadowHeightMap> shadow;
+  vtkNew<vtkHeightFieldShadowHeight> shadow;
   for (const double elevation : { 0.01, 25.0, 90.0 })
   {
     shadow->SetSunElevation(elevation);
     this->RunAll(shadow.GetPointer(), { "ShadowHeight" }, range[0] - spacing, range[1] + spacing,
-      vtkShadowHeightMap::SWEEP);
+      vtkHeightFieldShadowHeight::SWEEP);
   }
 }
 

@@ -6,9 +6,9 @@
 #include "Options.h"
 #include "SunLight.h"
 
+#include "vtkHeightFieldShadowHeight.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkShadowHeightMap.h"
 
 #include <memory>
 #include <string>
@@ -50,7 +50,7 @@ struct ShadowHeightCommand
     this->Horizon.WarnIdle(terrain, this->Talk);
     const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
     const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
-    vtkNew<vtkShadowHeightMap> shadow;
+    vtkNew<vtkHeightFieldShadowHeight> shadow;
     shadow->SetInputData(terrain);
     this->Horizon.Apply(shadow.Get());
     shadow->SetSunAzimuth(sun.GridAzimuth);

@@ -9,7 +9,7 @@
 #include "Sun/UtcTime.h"
 #include "SunLight.h"
 
-#include "Data/vtkSkylineGeoreference.h"
+#include "Data/ImageGeoreference.h"
 #include "vtkHeightFieldSunShadow.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"

@@ -2,7 +2,7 @@
 #include "Files.h"
 
 #include "AtomicFile.h"
-#include "Data/vtkSkylineGeoreference.h"
+#include "Data/ImageGeoreference.h"
 #include "Failure.h"
 #include "SourceFiles.h"
 

@@ -6,13 +6,16 @@
 #include "Geo/Georeference.h"
 #include "Options.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

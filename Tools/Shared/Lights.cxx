@@ -7,11 +7,11 @@
 #include "Values.h"
 
 #include "vtkImageData.h"
-#include "vtkLightMapReader.h"
 #include "vtkNew.h"
 #include "vtkSkylineEnvironmentLight.h"
 #include "vtkSkylineKeyLight.h"
 #include "vtkSkylineLampLight.h"
+#include "vtkSkylineLightMapReader.h"
 #include "vtkSkylineSunLight.h"
 
 #include <algorithm>
@@ -97,7 +97,7 @@ vtkSmartPointer<vtkSkylineEnvironmentLight> MakeEnvironment(
   }
   else if (skyline::KindOfSky(name) == skyline::SkyKind::Map)
   {
-    vtkNew<vtkLightMapReader> reader;
+    vtkNew<vtkSkylineLightMapReader> reader;
     reader->SetFileName(name.c_str());
     skyline::RunPass(reader, "light map", talk);
     light->SetImage(reader->GetOutput());

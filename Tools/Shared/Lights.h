@@ -7,6 +7,7 @@
 #include "SkyNames.h"
 #include "SunLight.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
 #include <CLI/CLI.hpp>
@@ -16,8 +17,10 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkSkylineLight;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -6,13 +6,17 @@
 #include "Passes.h"
 #include "Shared/Constants.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+
 #include <CLI/CLI.hpp>
 
 #include <optional>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

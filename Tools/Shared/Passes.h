@@ -6,10 +6,14 @@
 
 #include "Shared/Doubt.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+
 #include <functional>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -16,7 +16,7 @@
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkSoftShadowPolyDataMapper.h"
+#include "vtkSkylineSoftShadowPolyDataMapper.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>

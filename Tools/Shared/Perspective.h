@@ -5,6 +5,7 @@
 
 #include "Passes.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
 #include <CLI/CLI.hpp>
@@ -12,7 +13,9 @@
 #include <array>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

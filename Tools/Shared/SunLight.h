@@ -6,12 +6,16 @@
 #include "Geo/Georeference.h"
 #include "Passes.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+
 #include <CLI/CLI.hpp>
 
 #include <optional>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkHeightFieldSunShadow;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -10,8 +10,8 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkSoftShadowPolyDataMapper.h"
-#include "vtkSoftShadowShader.h"
+#include "vtkSkylineSoftShadowPolyDataMapper.h"
+#include "vtkSkylineSoftShadowShader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,10 +57,10 @@ double ShaderExposure(double exposure)
   return exposure + std::log2(Pi);
 }
 
-vtkSmartPointer<vtkSoftShadowPolyDataMapper> MakeMapper(
+vtkSmartPointer<vtkSkylineSoftShadowPolyDataMapper> MakeMapper(
   vtkAlgorithm* mesh, vtkImageData* terrain, double exposure)
 {
-  auto mapper = vtkSmartPointer<vtkSoftShadowPolyDataMapper>::New();
+  auto mapper = vtkSmartPointer<vtkSkylineSoftShadowPolyDataMapper>::New();
   mapper->SetInputConnection(mesh->GetOutputPort());
   mapper->ScalarVisibilityOff();
   mapper->GetShader()->SetHeightField(terrain);

@@ -3,10 +3,12 @@
 #ifndef skyline_TerrainActors_h
 #define skyline_TerrainActors_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
 #include <array>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkAlgorithm;
 class vtkHeightFieldSurface;
@@ -14,7 +16,8 @@ class vtkImageData;
 class vtkMapper;
 class vtkPolyData;
 class vtkRenderer;
-class vtkSoftShadowPolyDataMapper;
+class vtkSkylineSoftShadowPolyDataMapper;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {
@@ -33,10 +36,10 @@ vtkSmartPointer<vtkHeightFieldSurface> MakeSkirt(
   vtkImageData* terrain, double posts, vtkPolyData* mesh);
 
 /// Draws the point array Radiance of a lit terrain, at an exposure in stops.
-vtkSmartPointer<vtkSoftShadowPolyDataMapper> MakeMapper(
+vtkSmartPointer<vtkSkylineSoftShadowPolyDataMapper> MakeMapper(
   vtkAlgorithm* mesh, vtkImageData* terrain, double exposure);
 
-/// vtkSoftShadowShader's exposure for radiance: that is light times colour over pi already.
+/// vtkSkylineSoftShadowShader's exposure for radiance: that is light times colour over pi already.
 double ShaderExposure(double exposure);
 
 vtkSmartPointer<vtkActor> MakeActor(vtkMapper* mapper, double color);

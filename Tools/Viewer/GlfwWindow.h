@@ -5,10 +5,13 @@
 
 #include "Passes.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
 struct GLFWwindow;
+VTK_ABI_NAMESPACE_BEGIN
 class vtkGenericOpenGLRenderWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

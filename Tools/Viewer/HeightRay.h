@@ -3,9 +3,13 @@
 #ifndef skyline_HeightRay_h
 #define skyline_HeightRay_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+
 #include <array>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -6,14 +6,17 @@
 #include "HudLayout.h"
 #include "ViewerState.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor2D;
 class vtkPolyData;
 class vtkRenderer;
 class vtkTextActor;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -3,13 +3,16 @@
 #ifndef skyline_LampPreview_h
 #define skyline_LampPreview_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
 #include <cstddef>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkFloatArray;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -10,6 +10,7 @@
 #include "SunLight.h"
 #include "ViewerState.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -19,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
 class vtkFloatArray;
 class vtkHeightFieldIrradiance;
@@ -26,6 +28,7 @@ class vtkHeightFieldShading;
 class vtkHeightFieldSunShadow;
 class vtkImageData;
 class vtkSkylineEnvironmentLight;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

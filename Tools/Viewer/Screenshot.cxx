@@ -22,7 +22,7 @@
 #include "vtkPointData.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
-#include "vtkSoftShadowShader.h"
+#include "vtkSkylineSoftShadowShader.h"
 #include "vtkTextureObject.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -136,7 +136,7 @@ void WritePng(vtkRenderWindow* window, const std::string& file)
   Write(pixels, size, file);
 }
 
-void WriteExr(vtkRenderWindow* window, vtkRenderer* renderer, vtkSoftShadowShader* shader,
+void WriteExr(vtkRenderWindow* window, vtkRenderer* renderer, vtkSkylineSoftShadowShader* shader,
   SkyDome& sky, const std::string& file)
 {
   // The shader makes codes of light up to 1; as floats they keep it, so the brightest becomes 1.

@@ -3,11 +3,15 @@
 #ifndef skyline_Screenshot_h
 #define skyline_Screenshot_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderWindow;
 class vtkRenderer;
-class vtkSoftShadowShader;
+class vtkSkylineSoftShadowShader;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {
@@ -22,7 +26,7 @@ void WritePng(vtkRenderWindow* window, const std::string& file);
 
 /// The renderer's view in linear light, before exposure and tone curve, as OpenEXR of 32-bit floats,
 /// the sky without its sun's disc. Draws it. Throws Failure.
-void WriteExr(vtkRenderWindow* window, vtkRenderer* renderer, vtkSoftShadowShader* shader,
+void WriteExr(vtkRenderWindow* window, vtkRenderer* renderer, vtkSkylineSoftShadowShader* shader,
   SkyDome& sky, const std::string& file);
 
 } // namespace skyline

@@ -6,13 +6,16 @@
 #include "Color/ToneMap.h"
 #include "SkyImage.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkDataArray;
 class vtkFloatArray;
 class vtkRenderer;
 class vtkTexture;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -16,8 +16,8 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkSoftShadowPolyDataMapper.h"
-#include "vtkSoftShadowShader.h"
+#include "vtkSkylineSoftShadowPolyDataMapper.h"
+#include "vtkSkylineSoftShadowShader.h"
 #include "vtkSphereSource.h"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ vtkImageData* TerrainScene::GetHeights() const
   return this->Heights;
 }
 
-vtkSoftShadowShader* TerrainScene::GetShader() const
+vtkSkylineSoftShadowShader* TerrainScene::GetShader() const
 {
   return this->Mapper->GetShader();
 }

@@ -8,17 +8,20 @@
 #include "SkyDome.h"
 #include "ViewerState.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
 #include <memory>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkImageData;
 class vtkPoints;
 class vtkRenderer;
-class vtkSoftShadowPolyDataMapper;
-class vtkSoftShadowShader;
+class vtkSkylineSoftShadowPolyDataMapper;
+class vtkSkylineSoftShadowShader;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {
@@ -35,7 +38,7 @@ public:
 
   vtkRenderer* GetRenderer() const;
   vtkImageData* GetHeights() const;
-  vtkSoftShadowShader* GetShader() const;
+  vtkSkylineSoftShadowShader* GetShader() const;
 
   /// What vtkHeightFieldShading made of these heights, or of some of their posts.
   void SetLight(vtkImageData* lit);
@@ -86,7 +89,7 @@ private:
 
   vtkSmartPointer<vtkImageData> Heights;
   vtkSmartPointer<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkSoftShadowPolyDataMapper> Mapper; ///< its shader serves all
+  vtkSmartPointer<vtkSkylineSoftShadowPolyDataMapper> Mapper; ///< its shader serves all
   Mesh FineMesh, CoarseMesh;
   std::vector<vtkSmartPointer<vtkActor>> Balls;
   std::vector<ViewerLamp> Lamps;

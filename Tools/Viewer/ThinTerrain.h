@@ -3,9 +3,12 @@
 #ifndef skyline_ThinTerrain_h
 #define skyline_ThinTerrain_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

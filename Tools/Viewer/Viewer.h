@@ -13,6 +13,7 @@
 #include "ViewerMouse.h"
 #include "ViewerState.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -21,7 +22,9 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

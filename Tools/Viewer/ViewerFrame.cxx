@@ -13,7 +13,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSkylineEnvironmentLight.h"
-#include "vtkSoftShadowShader.h"
+#include "vtkSkylineSoftShadowShader.h"
 
 #include <algorithm>
 #include <chrono>

@@ -8,14 +8,17 @@
 #include "LitTerrain.h"
 #include "ViewerState.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
 #include <map>
 #include <optional>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkSkylineEnvironmentLight;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -7,10 +7,13 @@
 #include "TerrainScene.h"
 #include "ViewerState.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkGenericRenderWindowInteractor;
 class vtkRenderWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -5,11 +5,11 @@
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
-#include "vtkLightMapReader.h"
 #include "vtkPNGReader.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
-#include "vtkSoftShadowShader.h"
+#include "vtkSkylineLightMapReader.h"
+#include "vtkSkylineSoftShadowShader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -326,7 +326,7 @@ TEST_F(ViewerTest, LinearScreenshotsHoldTheRadiance)
   this->Rest();
   this->View->KeyPress('P', Shift);
   this->Draw();
-  vtkNew<vtkLightMapReader> reader;
+  vtkNew<vtkSkylineLightMapReader> reader;
   reader->SetFileName((options.ShotFolder + "/skyline-1.exr").c_str());
   reader->Update();
   vtkImageData* picture = reader->GetOutput();

@@ -8,7 +8,7 @@
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
-#include "vtkSoftShadowShader.h"
+#include "vtkSkylineSoftShadowShader.h"
 
 #include <array>
 #include <cmath>

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The georeference of a height field as field data, so that it travels down a VTK pipeline.
-#ifndef vtkSkylineGeoreference_h
-#define vtkSkylineGeoreference_h
+#ifndef skyline_ImageGeoreference_h
+#define skyline_ImageGeoreference_h
 
 #include "Geo/Georeference.h"
+#include "SkylineCoreModule.h"      // for the export macro
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {
@@ -24,22 +28,22 @@ constexpr const char* PostCountArrayName = "PostCount"; ///< 2 doubles: columns,
 constexpr const char* NodataArrayName = "NodataValue";  ///< 1 double: the file's nodata value
 
 /// Puts `georeference` into the field data of `data`, in place of the one that was there.
-void StoreGeoreference(const Georeference& georeference, vtkDataObject* data);
+SKYLINECORE_EXPORT void StoreGeoreference(const Georeference& georeference, vtkDataObject* data);
 
 /// The georeference in the field data of `data`. What is absent or malformed has its default
 /// value; without PostCount an image's own dimensions count. `data` may be null.
-Georeference LoadGeoreference(vtkDataObject* data);
+SKYLINECORE_EXPORT Georeference LoadGeoreference(vtkDataObject* data);
 
 /// The same for a height field whose posts it must count: std::invalid_argument where a crop or a
 /// resampling has left the image with the place of other posts. Without a place, the image's own
 /// dimensions count.
-Georeference GeoreferenceOf(vtkImageData* image);
+SKYLINECORE_EXPORT Georeference GeoreferenceOf(vtkImageData* image);
 
 /// Puts the nodata value that a raster declared into the field data of `data`.
-void StoreNodataValue(double value, vtkDataObject* data);
+SKYLINECORE_EXPORT void StoreNodataValue(double value, vtkDataObject* data);
 
 /// Reads that value into `value`; false, and `value` as it was, where none is declared.
-bool LoadNodataValue(vtkDataObject* data, double& value);
+SKYLINECORE_EXPORT bool LoadNodataValue(vtkDataObject* data, double& value);
 
 } // namespace skyline
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSoftShadowPolyDataMapper.h"
+#include "vtkSkylineSoftShadowPolyDataMapper.h"
 
-#include "vtkSoftShadowShader.h"
+#include "vtkSkylineSoftShadowShader.h"
 
 #include "vtkActor.h"
 #include "vtkObjectFactory.h"
@@ -16,103 +16,98 @@
 
 #include <algorithm>
 
-vtkStandardNewMacro(vtkSoftShadowPolyDataMapper);
+vtkStandardNewMacro(vtkSkylineSoftShadowPolyDataMapper);
 
-vtkSoftShadowPolyDataMapper::vtkSoftShadowPolyDataMapper()
-  : Shader(vtkSmartPointer<vtkSoftShadowShader>::New())
+vtkSkylineSoftShadowPolyDataMapper::vtkSkylineSoftShadowPolyDataMapper()
+  : Shader(vtkSmartPointer<vtkSkylineSoftShadowShader>::New())
 {
   // Far from the origin the places in the textures need all digits that a float has.
   this->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::ALWAYS_AUTO_SHIFT_SCALE);
 }
 
-vtkSoftShadowPolyDataMapper::~vtkSoftShadowPolyDataMapper() = default;
+vtkSkylineSoftShadowPolyDataMapper::~vtkSkylineSoftShadowPolyDataMapper() = default;
 
-void vtkSoftShadowPolyDataMapper::SetShader(vtkSoftShadowShader* shader)
+void vtkSkylineSoftShadowPolyDataMapper::SetShader(vtkSkylineSoftShadowShader* shader)
 {
   if (this->Shader != shader)
   {
-    this->Shader = shader ? vtkSmartPointer<vtkSoftShadowShader>(shader)
-                          : vtkSmartPointer<vtkSoftShadowShader>::New();
+    this->Shader = shader ? vtkSmartPointer<vtkSkylineSoftShadowShader>(shader)
+                          : vtkSmartPointer<vtkSkylineSoftShadowShader>::New();
     this->Modified();
   }
 }
 
-vtkSoftShadowShader* vtkSoftShadowPolyDataMapper::GetShader()
+vtkSkylineSoftShadowShader* vtkSkylineSoftShadowPolyDataMapper::GetShader()
 {
   return this->Shader;
 }
 
-std::string vtkSoftShadowPolyDataMapper::GetFragmentShaderText()
+std::string vtkSkylineSoftShadowPolyDataMapper::GetFragmentShaderText()
 {
   return this->FragmentShaderText;
 }
 
 // A changed light is no change of the mapper: it would build the shader anew.
-vtkMTimeType vtkSoftShadowPolyDataMapper::GetMTime()
+vtkMTimeType vtkSkylineSoftShadowPolyDataMapper::GetMTime()
 {
   return std::max(this->Superclass::GetMTime(), this->Shader->GetTextTime());
 }
 
-void vtkSoftShadowPolyDataMapper::Report(const std::string& reason)
-{
-  if (reason != this->Reported && !reason.empty())
-  {
-    vtkErrorMacro(<< reason);
-  }
-  this->Reported = reason;
-}
-
-void vtkSoftShadowPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+void vtkSkylineSoftShadowPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 {
   auto* window =
     renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
   if (!window || !window->IsCurrent())
   {
-    this->Report("no OpenGL context to draw the terrain in; the map view of vtkHeightFieldShading "
-                 "needs none");
+    if (!this->Reported)
+    {
+      vtkErrorMacro(
+        "no OpenGL context to draw the terrain in; the map view of vtkHeightFieldShading "
+        "needs none");
+    }
+    this->Reported = true;
     return;
   }
+  this->Reported = false;
   const auto textures = this->GetTextures(actor);
   this->Shader->SetLinearTextures(std::any_of(textures.begin(), textures.end(),
     [](const auto& texture) { return texture.first && texture.first->GetUseSRGBColorSpace(); }));
   this->Shader->SetLinearFramebuffer(window->GetUsingSRGBColorSpace());
-  const std::string reason = this->Shader->Prepare(window);
-  this->Report(reason);
-  if (reason.empty())
+  if (this->Shader->Prepare(window))
   {
     this->Superclass::RenderPiece(renderer, actor);
   }
 }
 
-void vtkSoftShadowPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
+void vtkSkylineSoftShadowPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 {
   this->Shader->Activate();
   this->Superclass::RenderPieceStart(renderer, actor);
 }
 
-void vtkSoftShadowPolyDataMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor)
+void vtkSkylineSoftShadowPolyDataMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::RenderPieceFinish(renderer, actor);
   this->Shader->Deactivate();
 }
 
-void vtkSoftShadowPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
+void vtkSkylineSoftShadowPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Shader->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
 // Of the primitives whose shader is being built.
-int vtkSoftShadowPolyDataMapper::NormalsOf(vtkActor* actor)
+int vtkSkylineSoftShadowPolyDataMapper::NormalsOf(vtkActor* actor)
 {
   const bool faces = actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
     this->LastBoundBO->PrimitiveType >= PrimitiveTris;
-  return this->VBOs->GetNumberOfComponents("normalMC") == 3 ? vtkSoftShadowShader::POINTS
-    : faces                                                 ? vtkSoftShadowShader::FACES
-                                                            : vtkSoftShadowShader::NONE;
+  return this->VBOs->GetNumberOfComponents("normalMC") == 3 ? vtkSkylineSoftShadowShader::POINTS
+    : faces                                                 ? vtkSkylineSoftShadowShader::FACES
+                                                            : vtkSkylineSoftShadowShader::NONE;
 }
 
-void vtkSoftShadowPolyDataMapper::ReplaceShaderValues(
+void vtkSkylineSoftShadowPolyDataMapper::ReplaceShaderValues(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
 {
   this->Shader->ReplaceShaderValues(shaders, this->NormalsOf(actor));
@@ -121,22 +116,22 @@ void vtkSoftShadowPolyDataMapper::ReplaceShaderValues(
 }
 
 // The light is the shader's alone.
-void vtkSoftShadowPolyDataMapper::ReplaceShaderLight(
+void vtkSkylineSoftShadowPolyDataMapper::ReplaceShaderLight(
   std::map<vtkShader::Type, vtkShader*>, vtkRenderer*, vtkActor*)
 {
 }
 
 // In RECEIVER the shader takes the normals itself.
-void vtkSoftShadowPolyDataMapper::ReplaceShaderNormal(
+void vtkSkylineSoftShadowPolyDataMapper::ReplaceShaderNormal(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
 {
-  if (this->Shader->GetMode() != vtkSoftShadowShader::RECEIVER)
+  if (this->Shader->GetMode() != vtkSkylineSoftShadowShader::RECEIVER)
   {
     this->Superclass::ReplaceShaderNormal(shaders, renderer, actor);
   }
 }
 
-void vtkSoftShadowPolyDataMapper::SetMapperShaderParameters(
+void vtkSkylineSoftShadowPolyDataMapper::SetMapperShaderParameters(
   vtkOpenGLHelper& cells, vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::SetMapperShaderParameters(cells, renderer, actor);
@@ -144,7 +139,7 @@ void vtkSoftShadowPolyDataMapper::SetMapperShaderParameters(
   this->Shader->SetUniforms(cells.Program, this->VBOs);
 }
 
-void vtkSoftShadowPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
+void vtkSkylineSoftShadowPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Shader: " << this->Shader.GetPointer() << "\n";

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkLightMapReader
+ * @class   vtkSkylineLightMapReader
  * @brief   reads a Radiance (.hdr) or OpenEXR file as a light map
  *
  * The output is a two-dimensional vtkImageData with the point scalars "Radiance": three floats,
  * linear RGB, all finite and not negative. Row 0 of the image is the bottom of the map, at the
  * nadir, as VTK has it; the centre column is north, to the right is clockwise. The coordinates of a
  * point are the azimuth (x, -180 to 180 degrees) and the elevation (y, -90 to 90) of the pixel's
- * middle. Kernels see the image through skyline::ViewLightMap (vtkLightMapImage.h).
+ * middle.
  *
  * A file is a latitude-longitude map if it has twice as many columns as rows. A cube has six square
  * faces in one image, seen from inside: 1 x 6 as OpenEXR stacks them (its Y axis up, its Z axis
@@ -27,17 +27,19 @@
  * A failure is one line through ErrorEvent, which names the file, the value and the cure, and an
  * error code (GetErrorCode). An abort leaves an empty output and the code vtkErrorCode::UserError.
  */
-#ifndef vtkLightMapReader_h
-#define vtkLightMapReader_h
+#ifndef vtkSkylineLightMapReader_h
+#define vtkSkylineLightMapReader_h
 
 #include "SkylineIOModule.h" // for the export macro
 #include "vtkImageAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
-class SKYLINEIO_EXPORT vtkLightMapReader : public vtkImageAlgorithm
+VTK_ABI_NAMESPACE_BEGIN
+class SKYLINEIO_EXPORT vtkSkylineLightMapReader : public vtkImageAlgorithm
 {
 public:
-  static vtkLightMapReader* New();
-  vtkTypeMacro(vtkLightMapReader, vtkImageAlgorithm);
+  static vtkSkylineLightMapReader* New();
+  vtkTypeMacro(vtkSkylineLightMapReader, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -59,8 +61,8 @@ public:
   ///@}
 
 protected:
-  vtkLightMapReader();
-  ~vtkLightMapReader() override;
+  vtkSkylineLightMapReader();
+  ~vtkSkylineLightMapReader() override;
 
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -68,8 +70,8 @@ protected:
     vtkInformationVector* outputVector) override;
 
 private:
-  vtkLightMapReader(const vtkLightMapReader&) = delete;
-  void operator=(const vtkLightMapReader&) = delete;
+  vtkSkylineLightMapReader(const vtkSkylineLightMapReader&) = delete;
+  void operator=(const vtkSkylineLightMapReader&) = delete;
 
   /// Runs `work`; false, with the error reported, if it throws.
   template <typename Work>
@@ -80,5 +82,6 @@ private:
   vtkIdType NumberOfNaNPixels = 0;
   vtkIdType NumberOfInfinitePixels = 0;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

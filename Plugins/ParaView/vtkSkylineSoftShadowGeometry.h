@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkSoftShadowGeometry
- * @brief   what vtkSoftShadowRepresentation draws: the surface of a height field, and its light
+ * @class   vtkSkylineSoftShadowGeometry
+ * @brief   what vtkSkylineSoftShadowRepresentation draws: the surface of a height field, and its light
  *
  * Input: a whole vtkImageData of one slice; on a process without data anything else, which gives an
  * empty surface. Output: the triangles of vtkHeightFieldSurface with the point arrays of up to four
  * components, and in the field data what skyline::PackLight puts there. In a parallel run the first
  * process makes the surface, and the others none, so that no seam and nothing twice is drawn.
  */
-#ifndef vtkSoftShadowGeometry_h
-#define vtkSoftShadowGeometry_h
+#ifndef vtkSkylineSoftShadowGeometry_h
+#define vtkSkylineSoftShadowGeometry_h
 
 #include "SkylineParaViewModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <string> // For names
 
-class SKYLINEPARAVIEW_EXPORT vtkSoftShadowGeometry : public vtkPolyDataAlgorithm
+VTK_ABI_NAMESPACE_BEGIN
+class SKYLINEPARAVIEW_EXPORT vtkSkylineSoftShadowGeometry : public vtkPolyDataAlgorithm
 {
 public:
-  static vtkSoftShadowGeometry* New();
-  vtkTypeMacro(vtkSoftShadowGeometry, vtkPolyDataAlgorithm);
+  static vtkSkylineSoftShadowGeometry* New();
+  vtkTypeMacro(vtkSkylineSoftShadowGeometry, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   static constexpr int AUTOMATIC = -1;
@@ -40,15 +42,15 @@ public:
   ///@}
 
   ///@{
-  /// Which light to pack, see vtkSoftShadowShader::ModeType; default AUTOMATIC: the first of
+  /// Which light to pack, see vtkSkylineSoftShadowShader::ModeType; default AUTOMATIC: the first of
   /// Irradiance, TransferSH and VisibilitySH that is there.
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
   ///@}
 
 protected:
-  vtkSoftShadowGeometry() = default;
-  ~vtkSoftShadowGeometry() override = default;
+  vtkSkylineSoftShadowGeometry() = default;
+  ~vtkSkylineSoftShadowGeometry() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(
@@ -60,8 +62,9 @@ protected:
   int Mode = AUTOMATIC;
 
 private:
-  vtkSoftShadowGeometry(const vtkSoftShadowGeometry&) = delete;
-  void operator=(const vtkSoftShadowGeometry&) = delete;
+  vtkSkylineSoftShadowGeometry(const vtkSkylineSoftShadowGeometry&) = delete;
+  void operator=(const vtkSkylineSoftShadowGeometry&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

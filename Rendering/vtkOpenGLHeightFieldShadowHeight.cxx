@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkOpenGLShadowHeightMap.h"
+#include "vtkOpenGLHeightFieldShadowHeight.h"
 
 #include "GpuShadows.h"
 #include "HorizonScene.h"
@@ -9,26 +9,26 @@
 
 #include <algorithm>
 
-vtkStandardNewMacro(vtkOpenGLShadowHeightMap);
+vtkStandardNewMacro(vtkOpenGLHeightFieldShadowHeight);
 
-vtkOpenGLShadowHeightMap::vtkOpenGLShadowHeightMap()
+vtkOpenGLHeightFieldShadowHeight::vtkOpenGLHeightFieldShadowHeight()
   : Device(vtkSmartPointer<vtkOpenGLHeightFieldDevice>::New())
   , Source(std::make_unique<skyline::GpuShadowSource>())
 {
 }
 
-vtkOpenGLShadowHeightMap::~vtkOpenGLShadowHeightMap()
+vtkOpenGLHeightFieldShadowHeight::~vtkOpenGLHeightFieldShadowHeight()
 {
   this->Source.reset(); // before its device goes
 }
 
-void vtkOpenGLShadowHeightMap::PrintSelf(ostream& os, vtkIndent indent)
+void vtkOpenGLHeightFieldShadowHeight::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "OnDevice: " << this->Source->OnDevice << "\n";
 }
 
-void vtkOpenGLShadowHeightMap::SetDevice(vtkOpenGLHeightFieldDevice* device)
+void vtkOpenGLHeightFieldShadowHeight::SetDevice(vtkOpenGLHeightFieldDevice* device)
 {
   if (device && device != this->Device)
   {
@@ -38,22 +38,22 @@ void vtkOpenGLShadowHeightMap::SetDevice(vtkOpenGLHeightFieldDevice* device)
   }
 }
 
-vtkOpenGLHeightFieldDevice* vtkOpenGLShadowHeightMap::GetDevice()
+vtkOpenGLHeightFieldDevice* vtkOpenGLHeightFieldShadowHeight::GetDevice()
 {
   return this->Device;
 }
 
-bool vtkOpenGLShadowHeightMap::IsOnDevice()
+bool vtkOpenGLHeightFieldShadowHeight::IsOnDevice()
 {
   return this->Source->OnDevice;
 }
 
-vtkMTimeType vtkOpenGLShadowHeightMap::GetMTime()
+vtkMTimeType vtkOpenGLHeightFieldShadowHeight::GetMTime()
 {
   return std::max(this->Superclass::GetMTime(), this->Device->GetMTime());
 }
 
-bool vtkOpenGLShadowHeightMap::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+bool vtkOpenGLHeightFieldShadowHeight::Compute(skyline::HorizonScene& scene, vtkImageData* output)
 {
   const bool known = this->Method != PYRAMID && this->Surface == TRIANGLES; // else an error
   this->Passes = known
@@ -64,7 +64,7 @@ bool vtkOpenGLShadowHeightMap::Compute(skyline::HorizonScene& scene, vtkImageDat
   return finished;
 }
 
-std::unique_ptr<skyline::HorizonMethod> vtkOpenGLShadowHeightMap::MakeMethod(
+std::unique_ptr<skyline::HorizonMethod> vtkOpenGLHeightFieldShadowHeight::MakeMethod(
   skyline::HorizonScene& scene, double slope)
 {
   if (!this->Passes)

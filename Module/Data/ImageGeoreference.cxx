@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Data/vtkSkylineGeoreference.h"
+#include "Data/ImageGeoreference.h"
 
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Data/vtkLightMapImage.h"
+#include "Data/LightMapImage.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -22,14 +22,14 @@ LightMap ViewLightMap(vtkImageData* image)
   {
     throw std::invalid_argument("the light map has " + std::to_string(size[0]) + " x " +
       std::to_string(size[1]) + " x " + std::to_string(size[2]) +
-      " pixels; give a two-dimensional image, such as vtkLightMapReader's");
+      " pixels; give a two-dimensional image, such as vtkSkylineLightMapReader's");
   }
   vtkDataArray* array = image->GetPointData()->GetArray(RadianceArrayName);
   vtkFloatArray* radiance = vtkFloatArray::FastDownCast(array);
   if (!radiance || radiance->GetNumberOfComponents() != 3)
   {
     throw std::invalid_argument(std::string("the light map has no point array '") +
-      RadianceArrayName + "' of 3 floats; give an image such as vtkLightMapReader's");
+      RadianceArrayName + "' of 3 floats; give an image such as vtkSkylineLightMapReader's");
   }
   return ViewBottomUp(radiance->GetPointer(0), size[0], size[1]);
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSoftShadowRepresentation.h"
+#include "vtkSkylineSoftShadowRepresentation.h"
 
 #include "Color/ToneMap.h"
 #include "HarmonicLight.h"
 #include "LightCargo.h"
 #include "Shared/Constants.h"
 #include "vtkHeightFieldShading.h"
-#include "vtkSoftShadowCompositeMapper.h"
-#include "vtkSoftShadowGeometry.h"
-#include "vtkSoftShadowShader.h"
+#include "vtkSkylineSoftShadowCompositeMapper.h"
+#include "vtkSkylineSoftShadowGeometry.h"
+#include "vtkSkylineSoftShadowShader.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -23,7 +23,7 @@
 #include <cmath>
 #include <vector>
 
-vtkStandardNewMacro(vtkSoftShadowRepresentation);
+vtkStandardNewMacro(vtkSkylineSoftShadowRepresentation);
 
 namespace
 {
@@ -71,22 +71,22 @@ double ExposureOf(vtkDataArray* irradiance)
 int ModeOf(vtkImageData* image)
 {
   vtkPointData* light = image ? image->GetPointData() : nullptr;
-  return light && light->HasArray("TransferSH") ? vtkSoftShadowShader::TRANSFER
-    : light && light->HasArray("VisibilitySH")  ? vtkSoftShadowShader::VISIBILITY
-                                                : vtkSoftShadowShader::IRRADIANCE;
+  return light && light->HasArray("TransferSH") ? vtkSkylineSoftShadowShader::TRANSFER
+    : light && light->HasArray("VisibilitySH")  ? vtkSkylineSoftShadowShader::VISIBILITY
+                                                : vtkSkylineSoftShadowShader::IRRADIANCE;
 }
 
 } // namespace
 
-vtkSoftShadowRepresentation::vtkSoftShadowRepresentation()
-  : Geometry(vtkSoftShadowGeometry::New())
-  , LightMode(vtkSoftShadowGeometry::AUTOMATIC)
+vtkSkylineSoftShadowRepresentation::vtkSkylineSoftShadowRepresentation()
+  : Geometry(vtkSkylineSoftShadowGeometry::New())
+  , LightMode(vtkSkylineSoftShadowGeometry::AUTOMATIC)
 {
   this->GeometryFilter->Delete();
   this->GeometryFilter = this->Geometry;
   for (vtkMapper** place : { &this->Mapper, &this->LODMapper })
   {
-    auto* mapper = vtkSoftShadowCompositeMapper::New();
+    auto* mapper = vtkSkylineSoftShadowCompositeMapper::New();
     mapper->SetShader(this->Shader);
     (*place)->Delete();
     *place = mapper;
@@ -95,39 +95,39 @@ vtkSoftShadowRepresentation::vtkSoftShadowRepresentation()
   this->SetArrayIdNames(nullptr, nullptr);
 }
 
-vtkSoftShadowRepresentation::~vtkSoftShadowRepresentation() = default;
+vtkSkylineSoftShadowRepresentation::~vtkSkylineSoftShadowRepresentation() = default;
 
-void vtkSoftShadowRepresentation::SetElevationArray(const char* name)
+void vtkSkylineSoftShadowRepresentation::SetElevationArray(const char* name)
 {
   this->Geometry->SetElevationArray(name ? name : "");
   this->MarkModified();
 }
 
-void vtkSoftShadowRepresentation::SetExaggeration(double factor)
+void vtkSkylineSoftShadowRepresentation::SetExaggeration(double factor)
 {
   this->Geometry->SetExaggeration(factor);
   this->MarkModified();
 }
 
-void vtkSoftShadowRepresentation::SetStride(int posts)
+void vtkSkylineSoftShadowRepresentation::SetStride(int posts)
 {
   this->Geometry->SetStride(posts);
   this->MarkModified();
 }
 
-void vtkSoftShadowRepresentation::SetLightMode(int mode)
+void vtkSkylineSoftShadowRepresentation::SetLightMode(int mode)
 {
   this->LightMode = mode;
   this->Geometry->SetMode(mode);
   this->MarkModified();
 }
 
-void vtkSoftShadowRepresentation::SetToneMapping(bool on)
+void vtkSkylineSoftShadowRepresentation::SetToneMapping(bool on)
 {
   this->Shader->SetToneMapping(on);
 }
 
-int vtkSoftShadowRepresentation::FillInputPortInformation(int, vtkInformation* info)
+int vtkSkylineSoftShadowRepresentation::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -135,7 +135,7 @@ int vtkSoftShadowRepresentation::FillInputPortInformation(int, vtkInformation* i
 }
 
 // The first process draws it all.
-int vtkSoftShadowRepresentation::RequestUpdateExtent(
+int vtkSkylineSoftShadowRepresentation::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out)
 {
   this->Superclass::RequestUpdateExtent(request, in, out);
@@ -149,7 +149,7 @@ int vtkSoftShadowRepresentation::RequestUpdateExtent(
   return 1;
 }
 
-int vtkSoftShadowRepresentation::ProcessViewRequest(
+int vtkSkylineSoftShadowRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* in, vtkInformation* out)
 {
   const int done = this->Superclass::ProcessViewRequest(request, in, out);
@@ -161,7 +161,7 @@ int vtkSoftShadowRepresentation::ProcessViewRequest(
 }
 
 // The light that came with the geometry, and the exposure that shows it.
-void vtkSoftShadowRepresentation::UpdateLight()
+void vtkSkylineSoftShadowRepresentation::UpdateLight()
 {
   vtkDataObject* data = this->Mapper->GetInputDataObject(0, 0);
   if (data != this->LightOf || (data && data->GetMTime() != this->LightTime))
@@ -169,13 +169,13 @@ void vtkSoftShadowRepresentation::UpdateLight()
     const auto image = skyline::UnpackLight(data);
     this->Shader->SetHeightField(image);
     this->Shader->SetMode(
-      this->LightMode == vtkSoftShadowGeometry::AUTOMATIC ? ModeOf(image) : this->LightMode);
+      this->LightMode == vtkSkylineSoftShadowGeometry::AUTOMATIC ? ModeOf(image) : this->LightMode);
     this->ArrayExposure = image ? ExposureOf(image->GetPointData()->GetArray("Irradiance")) : 0.0;
     this->LightOf = data;
     this->LightTime = data ? data->GetMTime() : 0;
   }
   double exposure = this->ArrayExposure;
-  if (this->Shader->GetMode() != vtkSoftShadowShader::IRRADIANCE)
+  if (this->Shader->GetMode() != vtkSkylineSoftShadowShader::IRRADIANCE)
   {
     skyline::SkyDisc key;
     key.Azimuth = this->KeyAzimuth * skyline::RadiansPerDegree;
@@ -206,12 +206,17 @@ void vtkSoftShadowRepresentation::UpdateLight()
   this->Shader->SetExposure(this->Exposure + (this->AutoExposure ? exposure : 0.0));
 }
 
-void vtkSoftShadowRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+void vtkSkylineSoftShadowRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "KeyAzimuth: " << this->KeyAzimuth << "\n"
+  os << indent << "LightMode: " << this->LightMode << "\n"
+     << indent << "KeyAzimuth: " << this->KeyAzimuth << "\n"
      << indent << "KeyElevation: " << this->KeyElevation << "\n"
      << indent << "KeyRadius: " << this->KeyRadius << "\n"
+     << indent << "KeyIrradiance: " << this->KeyIrradiance[0] << " " << this->KeyIrradiance[1]
+     << " " << this->KeyIrradiance[2] << "\n"
+     << indent << "SkyRadiance: " << this->SkyRadiance[0] << " " << this->SkyRadiance[1] << " "
+     << this->SkyRadiance[2] << "\n"
      << indent << "Exposure: " << this->Exposure << "\n"
      << indent << "AutoExposure: " << this->AutoExposure << "\n";
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkLightMapReader.h"
+#include "vtkSkylineLightMapReader.h"
 
-#include "Data/vtkLightMapImage.h"
-#include "Data/vtkSkylineWarning.h"
+#include "Data/LightMapImage.h"
+#include "Data/Warnings.h"
 #include "ImageLibrary.h"
 #include "ReadGuard.h"
 
@@ -18,14 +18,14 @@
 
 #include <string>
 
-vtkStandardNewMacro(vtkLightMapReader);
+vtkStandardNewMacro(vtkSkylineLightMapReader);
 
-vtkLightMapReader::vtkLightMapReader()
+vtkSkylineLightMapReader::vtkSkylineLightMapReader()
 {
   this->SetNumberOfInputPorts(0);
 }
 
-vtkLightMapReader::~vtkLightMapReader()
+vtkSkylineLightMapReader::~vtkSkylineLightMapReader()
 {
   this->SetFileName(nullptr);
 }
@@ -66,7 +66,7 @@ void DoubtPixels(
 } // namespace
 
 template <typename Work>
-bool vtkLightMapReader::Try(const Work& work)
+bool vtkSkylineLightMapReader::Try(const Work& work)
 {
   this->SetErrorCode(skyline::GuardRead(this, this->FileName, "give a smaller map",
     [&](const std::string& file)
@@ -77,7 +77,7 @@ bool vtkLightMapReader::Try(const Work& work)
   return this->GetErrorCode() == vtkErrorCode::NoError;
 }
 
-int vtkLightMapReader::RequestInformation(
+int vtkSkylineLightMapReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   return this->Try(
@@ -94,7 +94,7 @@ int vtkLightMapReader::RequestInformation(
     });
 }
 
-int vtkLightMapReader::RequestData(
+int vtkSkylineLightMapReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkImageData* image = vtkImageData::GetData(outputVector);
@@ -129,7 +129,7 @@ int vtkLightMapReader::RequestData(
   return done;
 }
 
-void vtkLightMapReader::PrintSelf(ostream& os, vtkIndent indent)
+void vtkSkylineLightMapReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkShadowReceiver.h"
+#include "vtkHeightFieldShadowReceiver.h"
 
 #include "ShadowHeight/ShadowHeightPenumbra.h"
 #include "WholeField.h"
@@ -20,7 +20,7 @@
 #include <cmath>
 #include <stdexcept>
 
-vtkStandardNewMacro(vtkShadowReceiver);
+vtkStandardNewMacro(vtkHeightFieldShadowReceiver);
 
 namespace
 {
@@ -72,7 +72,7 @@ public:
     if (this->Hard == nullptr)
     {
       throw std::invalid_argument(
-        "the image has no point array ShadowHeight; give the output of vtkShadowHeightMap");
+        "the image has no point array ShadowHeight; give the output of vtkHeightFieldShadowHeight");
     }
   }
 
@@ -98,7 +98,7 @@ private:
     if (sun == nullptr || sun->GetNumberOfValues() != 3)
     {
       throw std::invalid_argument(
-        "the image has no field array ShadowSun; give the output of vtkShadowHeightMap");
+        "the image has no field array ShadowSun; give the output of vtkHeightFieldShadowHeight");
     }
     // A point sun, unless both limbs have shadows of their own.
     const bool soft =
@@ -143,41 +143,41 @@ private:
 
 } // namespace
 
-vtkShadowReceiver::vtkShadowReceiver()
+vtkHeightFieldShadowReceiver::vtkHeightFieldShadowReceiver()
 {
   this->SetNumberOfInputPorts(2);
 }
 
-void vtkShadowReceiver::PrintSelf(ostream& os, vtkIndent indent)
+void vtkHeightFieldShadowReceiver::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PenumbraDepth: " << this->PenumbraDepth << "\n";
 }
 
-void vtkShadowReceiver::SetShadowConnection(vtkAlgorithmOutput* shadow)
+void vtkHeightFieldShadowReceiver::SetShadowConnection(vtkAlgorithmOutput* shadow)
 {
   this->SetInputConnection(1, shadow);
 }
 
-void vtkShadowReceiver::SetShadowData(vtkImageData* shadow)
+void vtkHeightFieldShadowReceiver::SetShadowData(vtkImageData* shadow)
 {
   this->SetInputDataInternal(1, shadow);
 }
 
-int vtkShadowReceiver::FillInputPortInformation(int port, vtkInformation* info)
+int vtkHeightFieldShadowReceiver::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkImageData");
   return 1;
 }
 
-int vtkShadowReceiver::ComputeInputUpdateExtent(
+int vtkHeightFieldShadowReceiver::ComputeInputUpdateExtent(
   vtkInformation*, vtkInformationVector** in, vtkInformationVector*)
 {
   skyline::RequestWhole(in[1]->GetInformationObject(0));
   return 1;
 }
 
-int vtkShadowReceiver::RequestData(
+int vtkHeightFieldShadowReceiver::RequestData(
   vtkInformation*, vtkInformationVector** in, vtkInformationVector* out)
 {
   vtkPointSet* input = vtkPointSet::GetData(in[0]);

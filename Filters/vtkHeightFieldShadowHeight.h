@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkShadowHeightMap
+ * @class   vtkHeightFieldShadowHeight
  * @brief   how high the shadow of the terrain stands over every post
  *
  * Adds `ShadowHeight`, metres in the frame of the heights: a point above the post is in the shadow of
@@ -11,7 +11,7 @@
  * With Soft, adds the shadow heights of the two limbs of the disc, `ShadowHeightUpper` and
  * `ShadowHeightLower`: below the first (the lower of the two heights) the whole disc is hidden, above
  * the second nothing of it is. These are not cut off at the ground, since the ground may lie between
- * them: the lit part of a post needs both. vtkShadowReceiver makes light of them, at any height.
+ * them: the lit part of a post needs both. vtkHeightFieldShadowReceiver makes light of them, at any height.
  *
  * The sun counts above the horizontal plane alone, as in vtkHeightFieldSunShadow: with the centre, or
  * the limb, on the plane or under it, its shadow height is plus infinity, so that every height compares
@@ -24,10 +24,11 @@
  * knows no curvature, and runs once for each band of rows of one spacing. Neither PYRAMID nor the
  * surface BILINEAR has shadow heights.
  */
-#ifndef vtkShadowHeightMap_h
-#define vtkShadowHeightMap_h
+#ifndef vtkHeightFieldShadowHeight_h
+#define vtkHeightFieldShadowHeight_h
 
 #include "vtkHeightFieldAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <memory> // For MakeMethod
 
@@ -36,11 +37,12 @@ namespace skyline
 class HorizonMethod;
 }
 
-class SKYLINEFILTERS_EXPORT vtkShadowHeightMap : public vtkHeightFieldAlgorithm
+VTK_ABI_NAMESPACE_BEGIN
+class SKYLINEFILTERS_EXPORT vtkHeightFieldShadowHeight : public vtkHeightFieldAlgorithm
 {
 public:
-  static vtkShadowHeightMap* New();
-  vtkTypeMacro(vtkShadowHeightMap, vtkHeightFieldAlgorithm);
+  static vtkHeightFieldShadowHeight* New();
+  vtkTypeMacro(vtkHeightFieldShadowHeight, vtkHeightFieldAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -75,6 +77,9 @@ public:
   ///@}
 
 protected:
+  vtkHeightFieldShadowHeight() = default;
+  ~vtkHeightFieldShadowHeight() override = default;
+
   bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
 
 #ifndef __VTK_WRAP__
@@ -91,9 +96,13 @@ protected:
   bool BelowTerrain = false;
 
 private:
+  vtkHeightFieldShadowHeight(const vtkHeightFieldShadowHeight&) = delete;
+  void operator=(const vtkHeightFieldShadowHeight&) = delete;
+
   // The shadow heights of a light of the elevation (radians); infinite unless it has risen.
   bool AddShadow(skyline::HorizonScene& scene, vtkImageData* output, const char* name,
     double elevation, bool risen, bool belowTerrain);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

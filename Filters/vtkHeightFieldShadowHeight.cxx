@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkShadowHeightMap.h"
+#include "vtkHeightFieldShadowHeight.h"
 
-#include "Data/vtkSkylineWarning.h"
+#include "Data/Warnings.h"
 #include "HorizonScene.h"
 #include "ShadowHeight/ShadowHeight.h"
 #include "ShadowHeight/ShadowHeightSweep.h"
@@ -20,7 +20,7 @@
 #include <sstream>
 #include <stdexcept>
 
-vtkStandardNewMacro(vtkShadowHeightMap);
+vtkStandardNewMacro(vtkHeightFieldShadowHeight);
 
 namespace
 {
@@ -85,7 +85,7 @@ private:
 
 } // namespace
 
-void vtkShadowHeightMap::PrintSelf(ostream& os, vtkIndent indent)
+void vtkHeightFieldShadowHeight::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SunAzimuth: " << this->SunAzimuth << "\n"
@@ -95,7 +95,7 @@ void vtkShadowHeightMap::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "BelowTerrain: " << this->BelowTerrain << "\n";
 }
 
-std::unique_ptr<skyline::HorizonMethod> vtkShadowHeightMap::MakeMethod(
+std::unique_ptr<skyline::HorizonMethod> vtkHeightFieldShadowHeight::MakeMethod(
   skyline::HorizonScene& scene, double slope)
 {
   if (this->Method == SWEEP)
@@ -106,7 +106,7 @@ std::unique_ptr<skyline::HorizonMethod> vtkShadowHeightMap::MakeMethod(
     scene.PreparedField(), slope, scene.UsedSettings().Sink);
 }
 
-bool vtkShadowHeightMap::AddShadow(skyline::HorizonScene& scene, vtkImageData* output,
+bool vtkHeightFieldShadowHeight::AddShadow(skyline::HorizonScene& scene, vtkImageData* output,
   const char* name, double elevation, bool risen, bool belowTerrain)
 {
   vtkFloatArray* shadows = scene.AddArray(output, name);
@@ -124,7 +124,7 @@ bool vtkShadowHeightMap::AddShadow(skyline::HorizonScene& scene, vtkImageData* o
   return finished;
 }
 
-bool vtkShadowHeightMap::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+bool vtkHeightFieldShadowHeight::Compute(skyline::HorizonScene& scene, vtkImageData* output)
 {
   if (this->Method == PYRAMID)
   {

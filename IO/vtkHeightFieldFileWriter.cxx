@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkHeightFieldSink.h"
+#include "vtkHeightFieldFileWriter.h"
 
 #include "AtomicFile.h"
 #include "IoFailure.h"
@@ -16,17 +16,14 @@
 #include <cctype>
 #include <new>
 
-vtkHeightFieldSink::vtkHeightFieldSink()
-{
-  this->SetNumberOfOutputPorts(0);
-}
+vtkHeightFieldFileWriter::vtkHeightFieldFileWriter() = default;
 
-vtkHeightFieldSink::~vtkHeightFieldSink()
+vtkHeightFieldFileWriter::~vtkHeightFieldFileWriter()
 {
   this->SetFileName(nullptr);
 }
 
-int vtkHeightFieldSink::Write()
+int vtkHeightFieldFileWriter::Write()
 {
   this->SetErrorCode(vtkErrorCode::NoError);
   this->Written = false;
@@ -37,7 +34,7 @@ int vtkHeightFieldSink::Write()
     return 0;
   }
   this->Modified(); // written again even if the data did not change
-  // Not UpdateWholeExtent, which asks an input that failed a second time.
+  // Not vtkWriter::Write: it asks an input that failed a second time, and then returns 1.
   auto* pipeline = vtkStreamingDemandDrivenPipeline::SafeDownCast(this->GetExecutive());
   if (pipeline->UpdateInformation())
   {
@@ -50,18 +47,27 @@ int vtkHeightFieldSink::Write()
   return this->Written ? 1 : 0;
 }
 
-int vtkHeightFieldSink::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+int vtkHeightFieldFileWriter::FillInputPortInformation(int, vtkInformation* info)
 {
-  vtkInformation* info = inputVector[0]->GetInformationObject(0);
-  int whole[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   return 1;
 }
 
-int vtkHeightFieldSink::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+vtkTypeBool vtkHeightFieldFileWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    vtkInformation* info = inputVector[0]->GetInformationObject(0);
+    int whole[6];
+    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+void vtkHeightFieldFileWriter::WriteData()
 {
   this->SetErrorCode(vtkErrorCode::NoError);
   this->Written = false;
@@ -72,7 +78,7 @@ int vtkHeightFieldSink::RequestData(
       throw skyline::IoFailure(
         vtkErrorCode::NoFileNameError, "no file to write to; call SetFileName first");
     }
-    vtkImageData* image = vtkImageData::GetData(inputVector[0]);
+    auto* image = vtkImageData::SafeDownCast(this->GetInput());
     this->Check(image);
     skyline::RefuseOverlap(this->FileName, skyline::LoadSourceFiles(image));
     skyline::AtomicFile file(this->FileName);
@@ -101,10 +107,9 @@ int vtkHeightFieldSink::RequestData(
                   << "': " << skyline::FirstLine(failure.what()));
     this->SetErrorCode(vtkErrorCode::UnknownError);
   }
-  return 1; // Write tells; the executive would only add a second message
 }
 
-void vtkHeightFieldSink::Check(vtkImageData* image) const
+void vtkHeightFieldFileWriter::Check(vtkImageData* image) const
 {
   if (!image || image->GetNumberOfPoints() < 1)
   {
@@ -118,7 +123,8 @@ void vtkHeightFieldSink::Check(vtkImageData* image) const
   }
 }
 
-vtkDataArray* vtkHeightFieldSink::FindArray(vtkImageData* image, const std::string& name) const
+vtkDataArray* vtkHeightFieldFileWriter::FindArray(
+  vtkImageData* image, const std::string& name) const
 {
   vtkPointData* points = image->GetPointData();
   vtkDataArray* array = name.empty() ? points->GetScalars() : points->GetArray(name.c_str());
@@ -141,7 +147,7 @@ vtkDataArray* vtkHeightFieldSink::FindArray(vtkImageData* image, const std::stri
     "; choose from: " + (names.empty() ? "(none)" : names));
 }
 
-void vtkHeightFieldSink::Report(double part)
+void vtkHeightFieldFileWriter::Report(double part)
 {
   this->UpdateProgress(part);
   if (this->GetAbortExecute())
@@ -150,13 +156,13 @@ void vtkHeightFieldSink::Report(double part)
   }
 }
 
-void vtkHeightFieldSink::Refuse(const std::string& reason) const
+void vtkHeightFieldFileWriter::Refuse(const std::string& reason) const
 {
   throw skyline::IoFailure(vtkErrorCode::FileFormatError,
     "cannot write '" + std::string(this->FileName ? this->FileName : "") + "': " + reason);
 }
 
-std::string vtkHeightFieldSink::GetExtension() const
+std::string vtkHeightFieldFileWriter::GetExtension() const
 {
   const std::string name = this->FileName ? this->FileName : "";
   const std::size_t dot = name.find_last_of("./");
@@ -172,7 +178,7 @@ std::string vtkHeightFieldSink::GetExtension() const
   return extension;
 }
 
-void vtkHeightFieldSink::PrintSelf(ostream& os, vtkIndent indent)
+void vtkHeightFieldFileWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";

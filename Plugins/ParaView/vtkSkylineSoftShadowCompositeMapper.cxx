@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSoftShadowCompositeMapper.h"
+#include "vtkSkylineSoftShadowCompositeMapper.h"
 
-#include "vtkSoftShadowShader.h"
+#include "vtkSkylineSoftShadowShader.h"
 
 #include "vtkActor.h"
 #include "vtkImageData.h"
@@ -9,7 +9,6 @@
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexBufferObject.h"
-#include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkTexture.h"
@@ -39,9 +38,9 @@ public:
   static SoftShadowHelper* New();
   vtkTypeMacro(SoftShadowHelper, HelperBase);
 
-  vtkSoftShadowShader* Shader() const
+  vtkSkylineSoftShadowShader* Shader() const
   {
-    return static_cast<vtkSoftShadowCompositeMapper*>(this->Parent)->GetShader();
+    return static_cast<vtkSkylineSoftShadowCompositeMapper*>(this->Parent)->GetShader();
   }
 
   vtkMTimeType GetMTime() override
@@ -126,16 +125,16 @@ bool HasLinearTexture(vtkActor* actor)
 
 } // namespace
 
-vtkStandardNewMacro(vtkSoftShadowCompositeMapper);
+vtkStandardNewMacro(vtkSkylineSoftShadowCompositeMapper);
 
-vtkSoftShadowCompositeMapper::vtkSoftShadowCompositeMapper()
-  : Shader(vtkSmartPointer<vtkSoftShadowShader>::New())
+vtkSkylineSoftShadowCompositeMapper::vtkSkylineSoftShadowCompositeMapper()
+  : Shader(vtkSmartPointer<vtkSkylineSoftShadowShader>::New())
 {
 }
 
-vtkSoftShadowCompositeMapper::~vtkSoftShadowCompositeMapper() = default;
+vtkSkylineSoftShadowCompositeMapper::~vtkSkylineSoftShadowCompositeMapper() = default;
 
-void vtkSoftShadowCompositeMapper::SetShader(vtkSoftShadowShader* shader)
+void vtkSkylineSoftShadowCompositeMapper::SetShader(vtkSkylineSoftShadowShader* shader)
 {
   if (shader && this->Shader != shader)
   {
@@ -144,18 +143,18 @@ void vtkSoftShadowCompositeMapper::SetShader(vtkSoftShadowShader* shader)
   }
 }
 
-vtkSoftShadowShader* vtkSoftShadowCompositeMapper::GetShader()
+vtkSkylineSoftShadowShader* vtkSkylineSoftShadowCompositeMapper::GetShader()
 {
   return this->Shader;
 }
 
 // A changed light is no change of the mapper: it would build the shader anew.
-vtkMTimeType vtkSoftShadowCompositeMapper::GetMTime()
+vtkMTimeType vtkSkylineSoftShadowCompositeMapper::GetMTime()
 {
   return std::max(this->Superclass::GetMTime(), this->Shader->GetTextTime());
 }
 
-void vtkSoftShadowCompositeMapper::Render(vtkRenderer* renderer, vtkActor* actor)
+void vtkSkylineSoftShadowCompositeMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window || !this->GetInputDataObject(0, 0) || !this->Shader->GetHeightField())
@@ -164,17 +163,7 @@ void vtkSoftShadowCompositeMapper::Render(vtkRenderer* renderer, vtkActor* actor
   }
   this->Shader->SetLinearTextures(HasLinearTexture(actor));
   this->Shader->SetLinearFramebuffer(window->GetUsingSRGBColorSpace());
-  std::string reason = this->Shader->Prepare(window);
-  if (!reason.empty() && this->Shader->GetHeightField()->GetPointData()->GetNumberOfArrays() == 0)
-  {
-    reason += "; the filters Irradiance, Transfer and Visibility make light to show";
-  }
-  if (reason != this->Reported && !reason.empty())
-  {
-    vtkErrorMacro(<< reason);
-  }
-  this->Reported = reason;
-  if (reason.empty())
+  if (this->Shader->Prepare(window))
   {
     this->Shader->Activate();
     this->Superclass::Render(renderer, actor);
@@ -182,7 +171,7 @@ void vtkSoftShadowCompositeMapper::Render(vtkRenderer* renderer, vtkActor* actor
   }
 }
 
-void vtkSoftShadowCompositeMapper::ReleaseGraphicsResources(vtkWindow* window)
+void vtkSkylineSoftShadowCompositeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Shader->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
@@ -190,24 +179,25 @@ void vtkSoftShadowCompositeMapper::ReleaseGraphicsResources(vtkWindow* window)
 
 // Far from the origin the places in the textures need all digits that a float has.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-vtkCompositePolyDataMapperDelegator* vtkSoftShadowCompositeMapper::CreateADelegator()
+vtkCompositePolyDataMapperDelegator* vtkSkylineSoftShadowCompositeMapper::CreateADelegator()
 {
   return SoftShadowDelegator::New();
 }
 #else
-vtkCompositeMapperHelper2* vtkSoftShadowCompositeMapper::CreateHelper()
+vtkCompositeMapperHelper2* vtkSkylineSoftShadowCompositeMapper::CreateHelper()
 {
   return SoftShadowHelper::New();
 }
 
-void vtkSoftShadowCompositeMapper::CopyMapperValuesToHelper(vtkCompositeMapperHelper2* helper)
+void vtkSkylineSoftShadowCompositeMapper::CopyMapperValuesToHelper(
+  vtkCompositeMapperHelper2* helper)
 {
   this->Superclass::CopyMapperValuesToHelper(helper);
   helper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::ALWAYS_AUTO_SHIFT_SCALE);
 }
 #endif
 
-void vtkSoftShadowCompositeMapper::PrintSelf(ostream& os, vtkIndent indent)
+void vtkSkylineSoftShadowCompositeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Shader: " << this->Shader.GetPointer() << "\n";

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkShadowReceiver
+ * @class   vtkHeightFieldShadowReceiver
  * @brief   which part of the sun the points of anything above the terrain see
  *
  * Inputs: 0, any vtkPointSet (houses, aircraft, a point cloud), its x and y in the frame of the image,
- * its z in metres like the heights; 1, the output of vtkShadowHeightMap. Output: the point set and the
+ * its z in metres like the heights; 1, the output of vtkHeightFieldShadowHeight. Output: the point set and the
  * point array `SunVisibility`, float, 0 (in the shadow of the terrain) to 1. What the points' own
  * surfaces shade is not known here: cap them onto the height field for that (vtkHeightFieldCap).
  *
@@ -16,20 +16,22 @@
  *
  * Errors are reported by ErrorEvent in one line; the output then is empty.
  */
-#ifndef vtkShadowReceiver_h
-#define vtkShadowReceiver_h
+#ifndef vtkHeightFieldShadowReceiver_h
+#define vtkHeightFieldShadowReceiver_h
 
 #include "SkylineFiltersModule.h"
 #include "vtkPointSetAlgorithm.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;
 class vtkImageData;
 
-class SKYLINEFILTERS_EXPORT vtkShadowReceiver : public vtkPointSetAlgorithm
+class SKYLINEFILTERS_EXPORT vtkHeightFieldShadowReceiver : public vtkPointSetAlgorithm
 {
 public:
-  static vtkShadowReceiver* New();
-  vtkTypeMacro(vtkShadowReceiver, vtkPointSetAlgorithm);
+  static vtkHeightFieldShadowReceiver* New();
+  vtkTypeMacro(vtkHeightFieldShadowReceiver, vtkPointSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -46,8 +48,8 @@ public:
   ///@}
 
 protected:
-  vtkShadowReceiver();
-  ~vtkShadowReceiver() override = default;
+  vtkHeightFieldShadowReceiver();
+  ~vtkHeightFieldShadowReceiver() override = default;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int ComputeInputUpdateExtent(
     vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
@@ -57,8 +59,9 @@ protected:
   double PenumbraDepth = 0.0;
 
 private:
-  vtkShadowReceiver(const vtkShadowReceiver&) = delete;
-  void operator=(const vtkShadowReceiver&) = delete;
+  vtkHeightFieldShadowReceiver(const vtkHeightFieldShadowReceiver&) = delete;
+  void operator=(const vtkHeightFieldShadowReceiver&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class vtkSoftShadowShader
+ * @class vtkSkylineSoftShadowShader
  * @brief light on a height field, for the fragment shader of a poly data mapper
  *
  * Holds what lights a terrain: point arrays of its height field, which become textures at the
@@ -11,17 +11,17 @@
  * - VISIBILITY: the array VisibilitySH (16 coefficients) times the clamped cosine around the
  *   normal of the heights, at every fragment, times the light;
  * - RECEIVER: the arrays ShadowHeight, or ShadowHeightUpper and ShadowHeightLower, and the field array
- *   ShadowSun, all of vtkShadowHeightMap. Draws whatever stands or flies over the height field (houses,
+ *   ShadowSun, all of vtkHeightFieldShadowHeight. Draws whatever stands or flies over the height field (houses,
  *   aircraft, a point cloud) in the shadow of the terrain: the sun, as far as the terrain leaves its disc
- *   free at the fragment's own height (as vtkShadowReceiver finds it), times the cosine, and the
+ *   free at the fragment's own height (as vtkHeightFieldShadowReceiver finds it), times the cosine, and the
  *   16 coefficients of the light as a sky that nothing hides.
  * In each of them up to four lamps may add their own light, from the array LampIrradiance.
  *
  * The ground is Lambertian: it sends out albedo * E / pi. The albedo is what VTK would show without
  * light: the actor's diffuse colour, colours of scalars, draped textures, as sRGB codes. The
- * result is exposed, goes through the tone curve of ToneMap.h and is shown as sRGB codes.
+ * result is exposed, goes through the tone curve and is shown as sRGB codes.
  *
- * Other mappers call it as vtkSoftShadowPolyDataMapper does: Prepare before drawing,
+ * Other mappers call it as vtkSkylineSoftShadowPolyDataMapper does: Prepare before drawing,
  * ReplaceShaderValues on the templates (and no light of their own), Activate, SetUniforms for every
  * program, Deactivate. Positions of the mesh are those of the image; an actor's matrix does not
  * change the light, but in RECEIVER, where it moves the mesh through the shadow (SetPlacement). Several mappers may share one shader, and with it the textures.
@@ -30,18 +30,20 @@
  * black rims. Angles and axes as everywhere: x east, y north, z up; harmonics real, orthonormal,
  * without the Condon-Shortley phase, index l * l + l + m.
  */
-#ifndef vtkSoftShadowShader_h
-#define vtkSoftShadowShader_h
+#ifndef vtkSkylineSoftShadowShader_h
+#define vtkSkylineSoftShadowShader_h
 
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkObject.h"
-#include "vtkShader.h"       // For ReplaceShaderValues
-#include "vtkSmartPointer.h" // For HeightField
+#include "vtkShader.h"              // For ReplaceShaderValues
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+#include "vtkSmartPointer.h"        // For HeightField
 
 #include <map>    // For ReplaceShaderValues
 #include <memory> // For Internals
 #include <string> // For names
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;
 class vtkImageData;
 class vtkMatrix4x4;
@@ -51,11 +53,11 @@ class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
 
-class SKYLINERENDERING_EXPORT vtkSoftShadowShader : public vtkObject
+class SKYLINERENDERING_EXPORT vtkSkylineSoftShadowShader : public vtkObject
 {
 public:
-  static vtkSoftShadowShader* New();
-  vtkTypeMacro(vtkSoftShadowShader, vtkObject);
+  static vtkSkylineSoftShadowShader* New();
+  vtkTypeMacro(vtkSkylineSoftShadowShader, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// What the light is computed from; see SetMode.
@@ -158,7 +160,7 @@ public:
   ///@{
   /**
    * How far below ShadowHeight light fades, metres; default 0, a hard edge. Of RECEIVER, as in
-   * vtkShadowReceiver; counts without shadow heights of both limbs alone.
+   * vtkHeightFieldShadowReceiver; counts without shadow heights of both limbs alone.
    */
   void SetPenumbraDepth(double depth);
   double GetPenumbraDepth();
@@ -175,7 +177,7 @@ public:
 
   ///@{
   /**
-   * Whether the tone curve of ToneMap.h applies; else light above 1 is clipped. Default on.
+   * Whether the tone curve applies; else light above 1 is clipped. Default on.
    */
   void SetToneMapping(bool on);
   vtkGetMacro(ToneMapping, bool);
@@ -185,7 +187,7 @@ public:
   ///@{
   /**
    * Whether draped textures arrive as linear light (vtkTexture::UseSRGBColorSpaceOn), and whether
-   * the framebuffer makes sRGB codes by itself. vtkSoftShadowPolyDataMapper sets both. Default off.
+   * the framebuffer makes sRGB codes by itself. vtkSkylineSoftShadowPolyDataMapper sets both. Default off.
    */
   void SetLinearTextures(bool on);
   vtkGetMacro(LinearTextures, bool);
@@ -194,11 +196,11 @@ public:
   ///@}
 
   /**
-   * Uploads what changed to textures of the window, whose context is current. Returns nothing, or in
-   * one line why the terrain cannot be lit: no height field, no such array, too many posts for a
-   * texture.
+   * Uploads what changed to textures of the window, whose context is current. Returns false where the
+   * terrain cannot be lit: no height field, no such array, too many posts for a texture. An error
+   * says why, in one line, once until the reason changes.
    */
-  std::string Prepare(vtkOpenGLRenderWindow* window);
+  bool Prepare(vtkOpenGLRenderWindow* window);
 
   /**
    * Adds the light to the templates of a poly data mapper. To be called before VTK's own
@@ -235,11 +237,13 @@ public:
   vtkMTimeType GetTextTime();
 
 protected:
-  vtkSoftShadowShader();
-  ~vtkSoftShadowShader() override;
+  vtkSkylineSoftShadowShader();
+  ~vtkSkylineSoftShadowShader() override;
 
 private:
   struct Internals;
+
+  std::string Upload(vtkOpenGLRenderWindow* window);
 
   int Mode = IRRADIANCE;
   std::string IrradianceArrayName = "Irradiance";
@@ -253,8 +257,9 @@ private:
   bool LinearFramebuffer = false;
   std::unique_ptr<Internals> Inside;
 
-  vtkSoftShadowShader(const vtkSoftShadowShader&) = delete;
-  void operator=(const vtkSoftShadowShader&) = delete;
+  vtkSkylineSoftShadowShader(const vtkSkylineSoftShadowShader&) = delete;
+  void operator=(const vtkSkylineSoftShadowShader&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -1,40 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkSoftShadowRepresentation
+ * @class   vtkSkylineSoftShadowRepresentation
  * @brief   Soft Shadow Surface: a height field in its own light
  *
  * Draws the surface of an image of heights with the light that its point arrays hold, at the
- * resolution of the posts (vtkSoftShadowShader): Irradiance as it is; or TransferSH or VisibilitySH
+ * resolution of the posts (vtkSkylineSoftShadowShader): Irradiance as it is; or TransferSH or VisibilitySH
  * times a key light and a sky, which move without new horizons. Colours of ParaView (solid or by an
  * array) are the albedo; its lights count for nothing. The whole height field is drawn by the first
  * process of a parallel run.
  */
-#ifndef vtkSoftShadowRepresentation_h
-#define vtkSoftShadowRepresentation_h
+#ifndef vtkSkylineSoftShadowRepresentation_h
+#define vtkSkylineSoftShadowRepresentation_h
 
 #include "SkylineParaViewModule.h" // For export macro
 #include "vtkGeometryRepresentationWithFaces.h"
-#include "vtkNew.h" // For Shader
+#include "vtkNew.h"                 // For Shader
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
 
-class vtkSoftShadowGeometry;
-class vtkSoftShadowShader;
+VTK_ABI_NAMESPACE_BEGIN
+class vtkSkylineSoftShadowGeometry;
+class vtkSkylineSoftShadowShader;
 
-class SKYLINEPARAVIEW_EXPORT vtkSoftShadowRepresentation : public vtkGeometryRepresentationWithFaces
+class SKYLINEPARAVIEW_EXPORT vtkSkylineSoftShadowRepresentation
+  : public vtkGeometryRepresentationWithFaces
 {
 public:
-  static vtkSoftShadowRepresentation* New();
-  vtkTypeMacro(vtkSoftShadowRepresentation, vtkGeometryRepresentationWithFaces);
+  static vtkSkylineSoftShadowRepresentation* New();
+  vtkTypeMacro(vtkSkylineSoftShadowRepresentation, vtkGeometryRepresentationWithFaces);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// See vtkSoftShadowGeometry.
+  /// See vtkSkylineSoftShadowGeometry.
   void SetElevationArray(const char* name);
   void SetExaggeration(double factor);
   void SetStride(int posts);
   ///@}
 
-  /// Where light comes from, see vtkSoftShadowShader::ModeType; default
-  /// vtkSoftShadowGeometry::AUTOMATIC.
+  /// Where light comes from, see vtkSkylineSoftShadowShader::ModeType; default
+  /// vtkSkylineSoftShadowGeometry::AUTOMATIC.
   void SetLightMode(int mode);
 
   ///@{
@@ -56,15 +59,15 @@ public:
   vtkSetMacro(AutoExposure, bool);
   ///@}
 
-  /// The tone curve, see vtkSoftShadowShader; default on.
+  /// The tone curve, see vtkSkylineSoftShadowShader; default on.
   void SetToneMapping(bool on);
 
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* in, vtkInformation* out) override;
 
 protected:
-  vtkSoftShadowRepresentation();
-  ~vtkSoftShadowRepresentation() override;
+  vtkSkylineSoftShadowRepresentation();
+  ~vtkSkylineSoftShadowRepresentation() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(
@@ -73,8 +76,8 @@ protected:
 private:
   void UpdateLight();
 
-  vtkSoftShadowGeometry* Geometry; // the superclass owns it as its GeometryFilter
-  vtkNew<vtkSoftShadowShader> Shader;
+  vtkSkylineSoftShadowGeometry* Geometry; // the superclass owns it as its GeometryFilter
+  vtkNew<vtkSkylineSoftShadowShader> Shader;
   int LightMode;
   double KeyAzimuth = 315.0;
   double KeyElevation = 45.0;
@@ -87,8 +90,9 @@ private:
   vtkMTimeType LightTime = 0;
   double ArrayExposure = 0.0;
 
-  vtkSoftShadowRepresentation(const vtkSoftShadowRepresentation&) = delete;
-  void operator=(const vtkSoftShadowRepresentation&) = delete;
+  vtkSkylineSoftShadowRepresentation(const vtkSkylineSoftShadowRepresentation&) = delete;
+  void operator=(const vtkSkylineSoftShadowRepresentation&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSoftShadowGeometry.h"
+#include "vtkSkylineSoftShadowGeometry.h"
 
 #include "LightCargo.h"
 #include "vtkHeightFieldSurface.h"
-#include "vtkSoftShadowShader.h"
+#include "vtkSkylineSoftShadowShader.h"
 
 #include "vtkDataArray.h"
 #include "vtkIdTypeArray.h"
@@ -20,7 +20,7 @@
 #include <cmath>
 #include <vector>
 
-vtkStandardNewMacro(vtkSoftShadowGeometry);
+vtkStandardNewMacro(vtkSkylineSoftShadowGeometry);
 
 namespace
 {
@@ -75,7 +75,7 @@ void PassPoints(vtkImageData* image, vtkPolyData* surface)
 
 } // namespace
 
-void vtkSoftShadowGeometry::PrintSelf(ostream& os, vtkIndent indent)
+void vtkSkylineSoftShadowGeometry::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ElevationArray: " << this->ElevationArray << "\n"
@@ -84,13 +84,13 @@ void vtkSoftShadowGeometry::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Mode: " << this->Mode << "\n";
 }
 
-int vtkSoftShadowGeometry::FillInputPortInformation(int, vtkInformation* info)
+int vtkSkylineSoftShadowGeometry::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
 
-int vtkSoftShadowGeometry::RequestData(
+int vtkSkylineSoftShadowGeometry::RequestData(
   vtkInformation*, vtkInformationVector** in, vtkInformationVector* out)
 {
   vtkImageData* image = vtkImageData::GetData(in[0]);
@@ -122,18 +122,18 @@ int vtkSoftShadowGeometry::RequestData(
   if (mode == AUTOMATIC)
   {
     vtkPointData* there = image->GetPointData();
-    mode = there->HasArray("Irradiance") ? vtkSoftShadowShader::IRRADIANCE
-      : there->HasArray("TransferSH")    ? vtkSoftShadowShader::TRANSFER
-      : there->HasArray("VisibilitySH")  ? vtkSoftShadowShader::VISIBILITY
-                                         : vtkSoftShadowShader::IRRADIANCE;
+    mode = there->HasArray("Irradiance") ? vtkSkylineSoftShadowShader::IRRADIANCE
+      : there->HasArray("TransferSH")    ? vtkSkylineSoftShadowShader::TRANSFER
+      : there->HasArray("VisibilitySH")  ? vtkSkylineSoftShadowShader::VISIBILITY
+                                         : vtkSkylineSoftShadowShader::IRRADIANCE;
   }
   std::vector<std::string> arrays;
   switch (mode)
   {
-    case vtkSoftShadowShader::TRANSFER:
+    case vtkSkylineSoftShadowShader::TRANSFER:
       arrays = { "TransferSH" };
       break;
-    case vtkSoftShadowShader::VISIBILITY:
+    case vtkSkylineSoftShadowShader::VISIBILITY:
       arrays = { "VisibilitySH", name };
       break;
     default:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Data/vtkSkylineWarning.h"
+#include "Data/Warnings.h"
 
 #include "vtkObject.h"
 #include "vtkSetGet.h"

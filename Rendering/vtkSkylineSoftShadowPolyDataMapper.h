@@ -1,39 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class vtkSoftShadowPolyDataMapper
+ * @class vtkSkylineSoftShadowPolyDataMapper
  * @brief draws a terrain mesh in the light of its height field
  *
  * The mesh is any poly data over the height field, in the same coordinates; it may be decimated. In the
  * mode RECEIVER of its shader it may stand or fly above the ground, and is lit at its own height.
- * Light comes from a vtkSoftShadowShader, at every fragment, at the resolution of the height field;
+ * Light comes from a vtkSkylineSoftShadowShader, at every fragment, at the resolution of the height field;
  * VTK's own lights and the specular part of the property count for nothing. Colours, colours of
  * scalars, draped textures, opacity, clipping planes, edges, depth peeling and picking work as with
  * every mapper.
  *
- *     vtkNew<vtkSoftShadowPolyDataMapper> mapper;
+ *     vtkNew<vtkSkylineSoftShadowPolyDataMapper> mapper;
  *     mapper->SetInputConnection(mesh->GetOutputPort());
  *     mapper->GetShader()->SetHeightFieldConnection(irradiance->GetOutputPort());
  *
  * What cannot be drawn is reported once, in one line: a renderer without an OpenGL window, and what
- * vtkSoftShadowShader::Prepare reports. Then nothing is drawn.
+ * vtkSkylineSoftShadowShader::Prepare reports. Then nothing is drawn.
  */
-#ifndef vtkSoftShadowPolyDataMapper_h
-#define vtkSoftShadowPolyDataMapper_h
+#ifndef vtkSkylineSoftShadowPolyDataMapper_h
+#define vtkSkylineSoftShadowPolyDataMapper_h
 
 #include "SkylineRenderingModule.h" // For export macro
 #include "vtkOpenGLPolyDataMapper.h"
-#include "vtkSmartPointer.h" // For Shader
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+#include "vtkSmartPointer.h"        // For Shader
 
 #include <map>    // For ReplaceShaderValues
-#include <string> // For Reported
+#include <string> // For FragmentShaderText
 
-class vtkSoftShadowShader;
+VTK_ABI_NAMESPACE_BEGIN
+class vtkSkylineSoftShadowShader;
 
-class SKYLINERENDERING_EXPORT vtkSoftShadowPolyDataMapper : public vtkOpenGLPolyDataMapper
+class SKYLINERENDERING_EXPORT vtkSkylineSoftShadowPolyDataMapper : public vtkOpenGLPolyDataMapper
 {
 public:
-  static vtkSoftShadowPolyDataMapper* New();
-  vtkTypeMacro(vtkSoftShadowPolyDataMapper, vtkOpenGLPolyDataMapper);
+  static vtkSkylineSoftShadowPolyDataMapper* New();
+  vtkTypeMacro(vtkSkylineSoftShadowPolyDataMapper, vtkOpenGLPolyDataMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -41,8 +43,8 @@ public:
    * The light. Never null: the mapper makes one, and SetShader(nullptr) makes a new one. Mappers of
    * one terrain share one.
    */
-  void SetShader(vtkSoftShadowShader* shader);
-  vtkSoftShadowShader* GetShader();
+  void SetShader(vtkSkylineSoftShadowShader* shader);
+  vtkSkylineSoftShadowShader* GetShader();
   ///@}
 
   /**
@@ -63,8 +65,8 @@ public:
   ///@}
 
 protected:
-  vtkSoftShadowPolyDataMapper();
-  ~vtkSoftShadowPolyDataMapper() override;
+  vtkSkylineSoftShadowPolyDataMapper();
+  ~vtkSkylineSoftShadowPolyDataMapper() override;
 
   void ReplaceShaderValues(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
@@ -76,15 +78,15 @@ protected:
     vtkOpenGLHelper& cells, vtkRenderer* renderer, vtkActor* actor) override;
 
 private:
-  void Report(const std::string& reason);
   int NormalsOf(vtkActor* actor);
 
-  vtkSmartPointer<vtkSoftShadowShader> Shader;
+  vtkSmartPointer<vtkSkylineSoftShadowShader> Shader;
   std::string FragmentShaderText;
-  std::string Reported;
+  bool Reported = false; // that there is no context
 
-  vtkSoftShadowPolyDataMapper(const vtkSoftShadowPolyDataMapper&) = delete;
-  void operator=(const vtkSoftShadowPolyDataMapper&) = delete;
+  vtkSkylineSoftShadowPolyDataMapper(const vtkSkylineSoftShadowPolyDataMapper&) = delete;
+  void operator=(const vtkSkylineSoftShadowPolyDataMapper&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkOpenGLShadowHeightMap
+ * @class   vtkOpenGLHeightFieldShadowHeight
  * @brief   how high the shadow of the terrain stands over every post, computed by a graphics processor
  *
- * GPU counterpart of vtkShadowHeightMap: the same settings and arrays, which differ by the rounding of floats.
+ * GPU counterpart of vtkHeightFieldShadowHeight: the same settings and arrays, which differ by the rounding of floats.
  * EXACT and FAST walk every ray by a fragment shader until it has passed the highest post. SWEEP, Lee &
  * Kim's recurrence, is a compute shader (OpenGL 4.3): work groups carry a stretch of a line each through
  * shared memory, 64 lines a run; without compute shaders the host runs it, without an error. Heights
@@ -12,12 +12,13 @@
  * Where there is no OpenGL context, or it fails, one error says so in one line and the host computes the
  * array. IsOnDevice tells who did.
  */
-#ifndef vtkOpenGLShadowHeightMap_h
-#define vtkOpenGLShadowHeightMap_h
+#ifndef vtkOpenGLHeightFieldShadowHeight_h
+#define vtkOpenGLHeightFieldShadowHeight_h
 
 #include "SkylineRenderingModule.h" // For export macro
-#include "vtkShadowHeightMap.h"
-#include "vtkSmartPointer.h" // For Device
+#include "vtkHeightFieldShadowHeight.h"
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+#include "vtkSmartPointer.h"        // For Device
 
 #include <memory> // For Source
 
@@ -26,13 +27,15 @@ namespace skyline
 class GpuShadows;
 class GpuShadowSource;
 } // namespace skyline
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLHeightFieldDevice;
 
-class SKYLINERENDERING_EXPORT vtkOpenGLShadowHeightMap : public vtkShadowHeightMap
+class SKYLINERENDERING_EXPORT vtkOpenGLHeightFieldShadowHeight : public vtkHeightFieldShadowHeight
 {
 public:
-  static vtkOpenGLShadowHeightMap* New();
-  vtkTypeMacro(vtkOpenGLShadowHeightMap, vtkShadowHeightMap);
+  static vtkOpenGLHeightFieldShadowHeight* New();
+  vtkTypeMacro(vtkOpenGLHeightFieldShadowHeight, vtkHeightFieldShadowHeight);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -48,8 +51,8 @@ public:
   vtkMTimeType GetMTime() override;
 
 protected:
-  vtkOpenGLShadowHeightMap();
-  ~vtkOpenGLShadowHeightMap() override;
+  vtkOpenGLHeightFieldShadowHeight();
+  ~vtkOpenGLHeightFieldShadowHeight() override;
 
   bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
 
@@ -59,12 +62,13 @@ protected:
 #endif
 
 private:
-  vtkOpenGLShadowHeightMap(const vtkOpenGLShadowHeightMap&) = delete;
-  void operator=(const vtkOpenGLShadowHeightMap&) = delete;
+  vtkOpenGLHeightFieldShadowHeight(const vtkOpenGLHeightFieldShadowHeight&) = delete;
+  void operator=(const vtkOpenGLHeightFieldShadowHeight&) = delete;
 
   vtkSmartPointer<vtkOpenGLHeightFieldDevice> Device;
   std::unique_ptr<skyline::GpuShadowSource> Source;
   skyline::GpuShadows* Passes = nullptr; // of the execution
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSoftShadowShader.h"
+#include "vtkSkylineSoftShadowShader.h"
 
 #include "PostTexture.h"
 #include "PostValues.h"
@@ -28,7 +28,7 @@
 #include <sstream>
 #include <vector>
 
-vtkStandardNewMacro(vtkSoftShadowShader);
+vtkStandardNewMacro(vtkSkylineSoftShadowShader);
 
 namespace
 {
@@ -37,7 +37,7 @@ constexpr std::size_t Lamps = 4;
 
 } // namespace
 
-struct vtkSoftShadowShader::Internals
+struct vtkSkylineSoftShadowShader::Internals
 {
   vtkSmartPointer<vtkImageData> Image;
   vtkSmartPointer<vtkAlgorithm> Producer;
@@ -58,6 +58,7 @@ struct vtkSoftShadowShader::Internals
   vtkNew<vtkMatrix4x4> Placement;
   std::vector<skyline::PostTexture*> InUse; // of the last Prepare
   int Uploads = 0;
+  std::string Reported; // why the last Prepare failed
 
   // Of the image that the textures show.
   skyline::VertexRow Across{};
@@ -121,16 +122,16 @@ struct vtkSoftShadowShader::Internals
   }
 };
 
-vtkSoftShadowShader::vtkSoftShadowShader()
+vtkSkylineSoftShadowShader::vtkSkylineSoftShadowShader()
   : Inside(std::make_unique<Internals>())
 {
   this->SetUniformLight(1.0, 1.0, 1.0);
   this->Inside->TextTime.Modified();
 }
 
-vtkSoftShadowShader::~vtkSoftShadowShader() = default;
+vtkSkylineSoftShadowShader::~vtkSkylineSoftShadowShader() = default;
 
-void vtkSoftShadowShader::SetMode(int mode)
+void vtkSkylineSoftShadowShader::SetMode(int mode)
 {
   mode = std::clamp(mode, static_cast<int>(IRRADIANCE), static_cast<int>(RECEIVER));
   if (this->Mode != mode)
@@ -142,7 +143,7 @@ void vtkSoftShadowShader::SetMode(int mode)
   }
 }
 
-void vtkSoftShadowShader::SetToneMapping(bool on)
+void vtkSkylineSoftShadowShader::SetToneMapping(bool on)
 {
   if (this->ToneMapping != on)
   {
@@ -152,7 +153,7 @@ void vtkSoftShadowShader::SetToneMapping(bool on)
   }
 }
 
-void vtkSoftShadowShader::SetLinearTextures(bool on)
+void vtkSkylineSoftShadowShader::SetLinearTextures(bool on)
 {
   if (this->LinearTextures != on)
   {
@@ -162,7 +163,7 @@ void vtkSoftShadowShader::SetLinearTextures(bool on)
   }
 }
 
-void vtkSoftShadowShader::SetLinearFramebuffer(bool on)
+void vtkSkylineSoftShadowShader::SetLinearFramebuffer(bool on)
 {
   if (this->LinearFramebuffer != on)
   {
@@ -172,7 +173,7 @@ void vtkSoftShadowShader::SetLinearFramebuffer(bool on)
   }
 }
 
-void vtkSoftShadowShader::SetHeightField(vtkImageData* image)
+void vtkSkylineSoftShadowShader::SetHeightField(vtkImageData* image)
 {
   if (this->Inside->Image != image || this->Inside->Producer)
   {
@@ -182,12 +183,12 @@ void vtkSoftShadowShader::SetHeightField(vtkImageData* image)
   }
 }
 
-vtkImageData* vtkSoftShadowShader::GetHeightField()
+vtkImageData* vtkSkylineSoftShadowShader::GetHeightField()
 {
   return this->Inside->Image;
 }
 
-void vtkSoftShadowShader::SetHeightFieldConnection(vtkAlgorithmOutput* output)
+void vtkSkylineSoftShadowShader::SetHeightFieldConnection(vtkAlgorithmOutput* output)
 {
   this->Inside->Producer = output ? output->GetProducer() : nullptr;
   this->Inside->Port = output ? output->GetIndex() : 0;
@@ -195,7 +196,7 @@ void vtkSoftShadowShader::SetHeightFieldConnection(vtkAlgorithmOutput* output)
   this->Modified();
 }
 
-void vtkSoftShadowShader::SetIrradianceTexture(vtkTextureObject* texture)
+void vtkSkylineSoftShadowShader::SetIrradianceTexture(vtkTextureObject* texture)
 {
   if (this->Inside->IrradianceTexture != texture)
   {
@@ -204,12 +205,13 @@ void vtkSoftShadowShader::SetIrradianceTexture(vtkTextureObject* texture)
   }
 }
 
-vtkTextureObject* vtkSoftShadowShader::GetIrradianceTexture()
+vtkTextureObject* vtkSkylineSoftShadowShader::GetIrradianceTexture()
 {
   return this->Inside->IrradianceTexture;
 }
 
-void vtkSoftShadowShader::SetLightCoefficient(int index, double red, double green, double blue)
+void vtkSkylineSoftShadowShader::SetLightCoefficient(
+  int index, double red, double green, double blue)
 {
   if (index < 0 || index >= static_cast<int>(skyline::LightCoefficients))
   {
@@ -221,7 +223,7 @@ void vtkSoftShadowShader::SetLightCoefficient(int index, double red, double gree
   this->Modified();
 }
 
-void vtkSoftShadowShader::GetLightCoefficient(int index, double rgb[3])
+void vtkSkylineSoftShadowShader::GetLightCoefficient(int index, double rgb[3])
 {
   const bool known = index >= 0 && index < static_cast<int>(skyline::LightCoefficients);
   const skyline::LightColor color =
@@ -229,14 +231,14 @@ void vtkSoftShadowShader::GetLightCoefficient(int index, double rgb[3])
   std::copy(color.begin(), color.end(), rgb);
 }
 
-void vtkSoftShadowShader::SetUniformLight(double red, double green, double blue)
+void vtkSkylineSoftShadowShader::SetUniformLight(double red, double green, double blue)
 {
   this->Inside->Light = skyline::SurfaceLight{};
   const double y = std::sqrt(4.0 * skyline::Pi); // the coefficient of 1
   this->SetLightCoefficient(0, y * red, y * green, y * blue);
 }
 
-void vtkSoftShadowShader::SetLampRadiance(int lamp, double red, double green, double blue)
+void vtkSkylineSoftShadowShader::SetLampRadiance(int lamp, double red, double green, double blue)
 {
   if (lamp < 0 || lamp >= static_cast<int>(Lamps))
   {
@@ -252,7 +254,7 @@ void vtkSoftShadowShader::SetLampRadiance(int lamp, double red, double green, do
   this->Modified();
 }
 
-void vtkSoftShadowShader::GetLampRadiance(int lamp, double rgb[3])
+void vtkSkylineSoftShadowShader::GetLampRadiance(int lamp, double rgb[3])
 {
   const bool known = lamp >= 0 && lamp < static_cast<int>(Lamps);
   const skyline::LightColor color =
@@ -260,13 +262,25 @@ void vtkSoftShadowShader::GetLampRadiance(int lamp, double rgb[3])
   std::copy(color.begin(), color.end(), rgb);
 }
 
-bool vtkSoftShadowShader::HasLamps()
+bool vtkSkylineSoftShadowShader::HasLamps()
 {
   return std::any_of(this->Inside->LampRadiance.begin(), this->Inside->LampRadiance.end(),
     [](const skyline::LightColor& color) { return color != skyline::LightColor{}; });
 }
 
-std::string vtkSoftShadowShader::Prepare(vtkOpenGLRenderWindow* window)
+bool vtkSkylineSoftShadowShader::Prepare(vtkOpenGLRenderWindow* window)
+{
+  const std::string reason = this->Upload(window);
+  if (reason != this->Inside->Reported && !reason.empty())
+  {
+    vtkErrorMacro(<< reason);
+  }
+  this->Inside->Reported = reason;
+  return reason.empty();
+}
+
+// Nothing, or why the terrain cannot be lit.
+std::string vtkSkylineSoftShadowShader::Upload(vtkOpenGLRenderWindow* window)
 {
   Internals& in = *this->Inside;
   in.InUse.clear();
@@ -300,8 +314,12 @@ std::string vtkSoftShadowShader::Prepare(vtkOpenGLRenderWindow* window)
       ? array
       : nullptr;
   };
-  const auto missing = [](const std::string& name, const char* components)
-  { return "the height field has no point array " + name + " of " + components + " components"; };
+  const auto missing = [&](const std::string& name, const char* components)
+  {
+    const bool bare = in.Image->GetPointData()->GetNumberOfArrays() == 0;
+    return "the height field has no point array " + name + " of " + components + " components" +
+      (bare ? "; the filters Irradiance, Transfer and Visibility make light to show" : "");
+  };
   in.Place();
   bool sent = true;
   if (this->Mode == IRRADIANCE && in.IrradianceTexture)
@@ -369,7 +387,7 @@ std::string vtkSoftShadowShader::Prepare(vtkOpenGLRenderWindow* window)
   return sent ? std::string() : "OpenGL refuses the textures of the height field";
 }
 
-void vtkSoftShadowShader::ReplaceShaderValues(
+void vtkSkylineSoftShadowShader::ReplaceShaderValues(
   const std::map<vtkShader::Type, vtkShader*>& shaders, int normals)
 {
   skyline::SoftShadowText text;
@@ -396,7 +414,7 @@ void vtkSoftShadowShader::ReplaceShaderValues(
   skyline::AddSoftShadows(shaders, text);
 }
 
-void vtkSoftShadowShader::Activate()
+void vtkSkylineSoftShadowShader::Activate()
 {
   for (skyline::PostTexture* texture : this->Inside->InUse)
   {
@@ -404,7 +422,7 @@ void vtkSoftShadowShader::Activate()
   }
 }
 
-void vtkSoftShadowShader::Deactivate()
+void vtkSkylineSoftShadowShader::Deactivate()
 {
   for (skyline::PostTexture* texture : this->Inside->InUse)
   {
@@ -412,7 +430,7 @@ void vtkSoftShadowShader::Deactivate()
   }
 }
 
-void vtkSoftShadowShader::SetUniforms(
+void vtkSkylineSoftShadowShader::SetUniforms(
   vtkShaderProgram* program, vtkOpenGLVertexBufferObjectGroup* buffers)
 {
   Internals& in = *this->Inside;
@@ -454,7 +472,7 @@ void vtkSoftShadowShader::SetUniforms(
   }
 }
 
-void vtkSoftShadowShader::ReleaseGraphicsResources(vtkWindow* window)
+void vtkSkylineSoftShadowShader::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& in = *this->Inside;
   in.InUse.clear();
@@ -468,18 +486,18 @@ void vtkSoftShadowShader::ReleaseGraphicsResources(vtkWindow* window)
   }
 }
 
-void vtkSoftShadowShader::SetSunIrradiance(double red, double green, double blue)
+void vtkSkylineSoftShadowShader::SetSunIrradiance(double red, double green, double blue)
 {
   this->Inside->Receiver.Sun = { { red, green, blue } };
   this->Modified();
 }
 
-void vtkSoftShadowShader::GetSunIrradiance(double rgb[3])
+void vtkSkylineSoftShadowShader::GetSunIrradiance(double rgb[3])
 {
   std::copy(this->Inside->Receiver.Sun.begin(), this->Inside->Receiver.Sun.end(), rgb);
 }
 
-void vtkSoftShadowShader::SetPenumbraDepth(double depth)
+void vtkSkylineSoftShadowShader::SetPenumbraDepth(double depth)
 {
   if (this->Inside->Receiver.PenumbraDepth != depth)
   {
@@ -488,12 +506,12 @@ void vtkSoftShadowShader::SetPenumbraDepth(double depth)
   }
 }
 
-double vtkSoftShadowShader::GetPenumbraDepth()
+double vtkSkylineSoftShadowShader::GetPenumbraDepth()
 {
   return this->Inside->Receiver.PenumbraDepth;
 }
 
-void vtkSoftShadowShader::SetPlacement(vtkMatrix4x4* matrix)
+void vtkSkylineSoftShadowShader::SetPlacement(vtkMatrix4x4* matrix)
 {
   if (matrix)
   {
@@ -505,17 +523,17 @@ void vtkSoftShadowShader::SetPlacement(vtkMatrix4x4* matrix)
   }
 }
 
-int vtkSoftShadowShader::GetNumberOfTextureUploads()
+int vtkSkylineSoftShadowShader::GetNumberOfTextureUploads()
 {
   return this->Inside->Uploads;
 }
 
-vtkMTimeType vtkSoftShadowShader::GetTextTime()
+vtkMTimeType vtkSkylineSoftShadowShader::GetTextTime()
 {
   return this->Inside->TextTime;
 }
 
-void vtkSoftShadowShader::PrintSelf(ostream& os, vtkIndent indent)
+void vtkSkylineSoftShadowShader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Mode: " << this->Mode << "\n";
@@ -525,6 +543,18 @@ void vtkSoftShadowShader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VisibilityArrayName: " << this->VisibilityArrayName << "\n";
   os << indent << "LampArrayName: " << this->LampArrayName << "\n";
   os << indent << "ElevationArrayName: " << this->ElevationArrayName << "\n";
+  const auto print = [&](const char* name, const skyline::LightColor& color)
+  { os << indent << name << ": " << color[0] << " " << color[1] << " " << color[2] << "\n"; };
+  for (const skyline::LightColor& coefficient : this->Inside->Light)
+  {
+    print("LightCoefficient", coefficient);
+  }
+  for (const skyline::LightColor& radiance : this->Inside->LampRadiance)
+  {
+    print("LampRadiance", radiance);
+  }
+  print("SunIrradiance", this->Inside->Receiver.Sun);
+  os << indent << "IrradianceTexture: " << this->Inside->IrradianceTexture.GetPointer() << "\n";
   os << indent << "PenumbraDepth: " << this->Inside->Receiver.PenumbraDepth << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "ToneMapping: " << this->ToneMapping << "\n";

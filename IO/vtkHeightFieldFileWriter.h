@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeightFieldFileWriter
+ * @brief   writes a height field to a file, complete or not at all
+ *
+ * The base of Skyline's writers. The input is a two-dimensional vtkImageData whose row 0 is the south
+ * edge. The writer writes to a temporary file beside FileName and renames it on success, so that no
+ * partial file ever has that name; on failure and on abort the temporary file is removed. A file that
+ * the input was read from, as the reader's field data tell, is never replaced.
+ *
+ * Write() returns 1 when the file is there and 0 otherwise. A failure is one line through ErrorEvent,
+ * which names the file, the value and the cure, and a code (GetErrorCode). After an abort the code is
+ * vtkErrorCode::UserError and no error is reported. Update() writes too, if the input or the writer
+ * changed.
+ */
+#ifndef vtkHeightFieldFileWriter_h
+#define vtkHeightFieldFileWriter_h
+
+#include "SkylineIOModule.h"        // for the export macro
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+#include "vtkWriter.h"
+
+#include <string> // for messages
+
+namespace skyline
+{
+class AtomicFile;
+}
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+class vtkImageData;
+
+class SKYLINEIO_EXPORT vtkHeightFieldFileWriter : public vtkWriter
+{
+public:
+  vtkTypeMacro(vtkHeightFieldFileWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The file to write. One that exists is replaced.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  /**
+   * Updates the input and writes it. Returns 1 when the file is there, else 0.
+   */
+  int Write() override;
+
+protected:
+  vtkHeightFieldFileWriter();
+  ~vtkHeightFieldFileWriter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void WriteData() override;
+
+  /// Writes the whole image to `file.GetPath()` and closes it. Throws IoFailure or IoAborted.
+  virtual void WriteImage(vtkImageData* image, const skyline::AtomicFile& file) = 0;
+
+  /// The image's point array of that name, or its scalars for an empty name. Throws IoFailure with
+  /// the names there are.
+  vtkDataArray* FindArray(vtkImageData* image, const std::string& name) const;
+
+  /// Reports the part done; throws IoAborted if someone asked to stop.
+  void Report(double part);
+
+  /// Throws IoFailure: "cannot write 'FILE': reason".
+  [[noreturn]] void Refuse(const std::string& reason) const;
+
+  /// The extension of FileName in small letters, without the dot.
+  std::string GetExtension() const;
+
+private:
+  vtkHeightFieldFileWriter(const vtkHeightFieldFileWriter&) = delete;
+  void operator=(const vtkHeightFieldFileWriter&) = delete;
+
+  void Check(vtkImageData* image) const;
+
+  char* FileName = nullptr;
+  bool Written = false;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif
