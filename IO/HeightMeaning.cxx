@@ -18,7 +18,8 @@ namespace skyline
 namespace
 {
 
-/// Units that differ by less, relatively, are the same: feet differ by 2e-6, and text is rounded.
+/// Units that differ by less (relatively) are the same. The two definitions of the foot differ by
+/// 2e-6, and units in texts are rounded.
 constexpr double UnitTolerance = 1e-5;
 
 [[noreturn]] void Refuse(const std::string& file, const std::string& reason)
@@ -46,7 +47,7 @@ std::string Metres(double metres)
   return text.data();
 }
 
-/// Metres in one unit of the band's values after scale and offset.
+/// The size in metres of one unit of the band's values after scale and offset.
 double ReadUnit(GDALRasterBand& band, const CoordinateSystem& crs, const std::string& file,
   std::vector<Doubt>& doubts)
 {

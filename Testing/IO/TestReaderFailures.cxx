@@ -189,7 +189,7 @@ TEST(ReaderFailures, UnitUnknown)
          "AXIS[\"y\",north,ORDER[2]],LENGTHUNIT[\"unknown\",1]]" })
   {
     ExpectFailure(Wrap("<SRS>" + std::string(crs) + "</SRS>" + transform),
-      vtkErrorCode::FileFormatError, "of no known length");
+      vtkErrorCode::FileFormatError, "whose length is not known");
   }
   const auto metres = Read(Wrap("<SRS>LOCAL_CS[\"hall\",UNIT[\"foot\",0.3048]]</SRS>" + transform));
   EXPECT_DOUBLE_EQ(metres->GetOutput()->GetSpacing()[0], 3.048);
