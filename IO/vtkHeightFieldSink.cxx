@@ -36,8 +36,8 @@ int vtkHeightFieldSink::Write()
     this->SetErrorCode(vtkErrorCode::UnknownError);
     return 0;
   }
-  this->Modified(); // written again even if the data did not change
-  // Not UpdateWholeExtent, which asks an input that failed a second time.
+  this->Modified(); // the file is written again even if the data did not change
+  // UpdateWholeExtent is not used, because it would execute a failed input a second time.
   auto* pipeline = vtkStreamingDemandDrivenPipeline::SafeDownCast(this->GetExecutive());
   if (pipeline->UpdateInformation())
   {
@@ -45,7 +45,7 @@ int vtkHeightFieldSink::Write()
   }
   if (!this->Written && this->GetErrorCode() == vtkErrorCode::NoError)
   {
-    this->SetErrorCode(vtkErrorCode::UnknownError); // the input failed, and said why
+    this->SetErrorCode(vtkErrorCode::UnknownError); // the input failed and reported why
   }
   return this->Written ? 1 : 0;
 }
@@ -101,7 +101,7 @@ int vtkHeightFieldSink::RequestData(
                   << "': " << skyline::FirstLine(failure.what()));
     this->SetErrorCode(vtkErrorCode::UnknownError);
   }
-  return 1; // Write tells; the executive would only add a second message
+  return 1; // Write returns the result; 0 here would add a second message of the executive
 }
 
 void vtkHeightFieldSink::Check(vtkImageData* image) const

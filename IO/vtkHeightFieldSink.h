@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightFieldSink
- * @brief   a pipeline's end that writes a file, complete or not at all
+ * base class of the writers: a file appears either complete or not at all
  *
- * What the writers have in common: they take a two-dimensional vtkImageData whose row 0 is the
- * south edge, write to a temporary beside FileName and rename it on success, so that no partial
- * file ever bears the name; on failure and on abort the temporary is removed. A file that the input
- * was read from, as the reader's field data tell, is never replaced. A failure is one line
- * through ErrorEvent, which names the file, the value and the cure, and a code (GetErrorCode).
- * After an abort the code is vtkErrorCode::UserError and nothing is said.
+ * The input is a two-dimensional vtkImageData whose row 0 is the southern edge. The data are
+ * written to a temporary file beside FileName, which is renamed on success, so that FileName is
+ * never a partial file. On failure and on abort the temporary is removed. A file from which the
+ * input was read, according to the field data of the reader, is never replaced. A failure is
+ * reported by an ErrorEvent with one line that names the file, the value and the remedy, and by an
+ * error code (GetErrorCode). After an abort the code is vtkErrorCode::UserError and nothing is
+ * reported.
  */
 #ifndef vtkHeightFieldSink_h
 #define vtkHeightFieldSink_h
@@ -34,14 +35,14 @@ public:
 
   ///@{
   /**
-   * The file to write. One that exists is replaced.
+   * The path of the file to write. An existing file is replaced. Required.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}
 
   /**
-   * Updates the input and writes it. Returns 1 when the file is there, else 0.
+   * Updates the input and writes the file. Returns 1 on success, else 0.
    */
   int Write();
 
@@ -57,17 +58,17 @@ protected:
   /// Writes the whole image to `file.GetPath()` and closes it. Throws IoFailure or IoAborted.
   virtual void WriteImage(vtkImageData* image, const skyline::AtomicFile& file) = 0;
 
-  /// The image's point array of that name, or its scalars for an empty name. Throws IoFailure with
-  /// the names there are.
+  /// Returns the point array `name` of the image, or its scalars if `name` is empty. Throws
+  /// IoFailure with the available names if there is no such array.
   vtkDataArray* FindArray(vtkImageData* image, const std::string& name) const;
 
-  /// Reports the part done; throws IoAborted if someone asked to stop.
+  /// Reports the completed part (0 to 1). Throws IoAborted if the user asked to stop.
   void Report(double part);
 
   /// Throws IoFailure: "cannot write 'FILE': reason".
   [[noreturn]] void Refuse(const std::string& reason) const;
 
-  /// The extension of FileName in small letters, without the dot.
+  /// The extension of FileName in lower case, without the dot.
   std::string GetExtension() const;
 
 private:

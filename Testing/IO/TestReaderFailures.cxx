@@ -70,7 +70,7 @@ TEST(ReaderFailures, ClassicNetcdfThatCountsTooMuch)
     std::ofstream(file, std::ios::binary).write(header, sizeof(header));
     return file;
   };
-  const std::string words = "its netCDF header counts more than the file holds";
+  const std::string words = "its netCDF header declares more data than the file holds";
   EXPECT_NE(Fail(put("many.nc", 0, 16)).Message.find(words), std::string::npos);
   EXPECT_NE(Fail(put("one.nc", 1, 0)).Message.find(words), std::string::npos);
   EXPECT_EQ(Fail(put("none.nc", 0, 0)).Message.find(words), std::string::npos);
