@@ -26,8 +26,8 @@ namespace benchmark
 namespace
 {
 
-constexpr std::size_t ThinEvery = 8; // every crossing is slow: every eighth azimuth
-constexpr int DeviceAzimuths = 16;   // half of the truth's
+constexpr std::size_t ThinEvery = 8; // "every crossing" is slow and runs in every eighth azimuth
+constexpr int DeviceAzimuths = 16;   // half of those of the reference
 
 Result MeasureDevice(Stage& stage, bool pyramid)
 {
@@ -84,7 +84,7 @@ void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much
       });
   };
   HorizonSettings how;
-  char segments[100]; // compiled in, not settings: see Documentation/horizon.md
+  char segments[100]; // compiled constants, not settings: see Documentation/horizon.md
   std::snprintf(segments, sizeof segments, "%td near lines, segments of %td lines in groups of %td",
     std::ptrdiff_t{ ExactState::NearLines }, std::ptrdiff_t{ SegmentBounds::Lines },
     std::ptrdiff_t{ SegmentBounds::PerGroup });

@@ -32,7 +32,7 @@ Method OfSettings(const char* name, const char* label, HorizonMethodKind kind, d
           } };
 }
 
-// SN08's cheaper pyramid, for environment light.
+// The cheaper pyramid of Snyder & Nowrouzezahrai (2008), for environment light.
 Method OfLevels(const char* name, const char* label)
 {
   HorizonSettings settings;

@@ -40,7 +40,7 @@ std::string DescriptionOf(const Session& session, const std::string& scene)
   return found == session.Scenes.end() ? "" : found->second;
 }
 
-// Scenes on which a quantity was measured, in their order.
+// The scenes on which a quantity was measured, in order.
 std::vector<std::string> ScenesOf(const Session& session, const std::string& quantity)
 {
   std::vector<std::string> scenes;
@@ -62,7 +62,7 @@ void WriteCharts(std::ostream& out, const Session& session, const Quantity& quan
   for (const std::string& scene : ScenesOf(session, quantity.Name))
   {
     const std::vector<const Finding*> points = ChartOf(session.Findings, quantity.Name, scene);
-    if (points.size() == 1) // nothing to compare
+    if (points.size() == 1) // nothing to compare with
     {
       alone += (alone.empty() ? "" : "; ") + scene + ": " + points.front()->What.Label;
     }
@@ -84,7 +84,7 @@ void WriteCharts(std::ostream& out, const Session& session, const Quantity& quan
   }
 }
 
-// How many times quicker more threads are.
+// Writes how much faster several threads are than one.
 void WriteSpeedUp(std::ostream& out, const Session& session)
 {
   for (const Finding& one : session.Findings)
@@ -154,7 +154,7 @@ void WriteTable(std::ostream& out, const Session& session, const Quantity& quant
   out << "</table></div></details>\n";
 }
 
-// What makes a method quick where it is the quicker.
+// Explains why a published method is fast in the cases in which it is faster than ours.
 const char* WhyQuick(const std::string& kind)
 {
   return kind == "sweep"
@@ -214,7 +214,7 @@ void WriteExceptions(std::ostream& out, const Session& session, const Quantity& 
   out << "</ul>\n";
 }
 
-// Counted from what was measured, over all charts.
+// The summary counts the measurements of all charts.
 void WriteVerdict(std::ostream& out, const Session& session)
 {
   std::size_t compared = 0;

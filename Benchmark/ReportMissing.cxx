@@ -16,7 +16,7 @@ namespace benchmark
 namespace
 {
 
-using Places = std::map<std::string, std::vector<std::string>>; // what, where
+using Places = std::map<std::string, std::vector<std::string>>; // for each method, its scenes
 
 std::string Joined(const std::vector<std::string>& words)
 {

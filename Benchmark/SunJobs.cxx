@@ -32,7 +32,7 @@ namespace
 
 using Kind = SunScore::Kind;
 
-// A filter of ours for all suns: set(sun) turns its light, value(post) reads its output.
+// Measures one of our filters for all suns. set(sun) sets its light, value(post) reads its output.
 Result MeasureSuns(Stage& stage, Kind kind, vtkAlgorithm* filter,
   const std::function<void(const SunAt&)>& set, const SunOf& value)
 {
@@ -137,7 +137,7 @@ Result MeasureDeviceShadowHeight(Stage& stage)
   return result;
 }
 
-// One run of another program for each sun.
+// Measures another program, which runs once for each sun.
 Result MeasurePeer(Stage& stage, Kind kind, PeerSun (*make)(const oracle::OracleField& field))
 {
   const oracle::OracleField& field = stage.Scene.Field;
@@ -158,7 +158,7 @@ Result MeasurePeer(Stage& stage, Kind kind, PeerSun (*make)(const oracle::Oracle
   return result;
 }
 
-// Adds jobs of a quantity whose truth is the horizons towards the suns.
+// Returns a function that adds jobs of a quantity whose reference is the horizons towards the suns.
 auto Adder(std::vector<Job>& jobs, const StagePointer& stage, const char* quantity)
 {
   return [&jobs, stage, quantity](const char* kind, const char* label, const char* settings,
