@@ -67,8 +67,7 @@ Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths)
   result.PrepareNs = NotMeasured;
   result.SearchNs = NotMeasured;
   result.Error = errors.Get();
-  std::snprintf(
-    result.Reason, sizeof result.Reason, "%d azimuths, start and files included", azimuths);
+  std::snprintf(result.Reason, sizeof result.Reason, "%d azimuths, with start and files", azimuths);
   result.Ran = true;
   return result;
 }

@@ -225,12 +225,12 @@ void AddSkyJobs(std::vector<Job>& jobs, const StagePointer& stage)
   for (const int sectors : { 8, 36 })
   {
     add("saga", "SAGA " + std::to_string(sectors),
-      "ta_lighting 3, whole radius, cell by cell, one thread, start and files included",
+      "ta_lighting 3, whole radius, cell by cell, one thread, with start and files",
       sectors == 8 ? PeerTurn : SweepTurn,
       [stage, sectors] { return MeasureSagaSky(*stage, sectors); });
   }
   add("grass", "GRASS r.sun, diffuse",
-    "diff_rad, sun at the zenith, coeff_bh=0: a slope without terrain; start and files included",
+    "diff_rad, sun at the zenith, coeff_bh=0: no shadows of terrain; with start and files",
     PeerTurn, [stage] { return MeasureGrassDiffuse(*stage); });
 }
 

@@ -110,8 +110,7 @@ Result MeasureWithin(
   if (late && !result.Ran)
   {
     std::snprintf(result.Reason, sizeof result.Reason,
-      "ended after %.0f s, more than a quarter of the budget; a greater --budget gives it time",
-      seconds);
+      "ended after %.0f s, more than a quarter of the budget; use a greater --budget", seconds);
   }
   return result;
 }
