@@ -61,7 +61,7 @@ protected:
     this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
   }
 
-  // The light is the shader's alone.
+  // Only the shader computes light.
   void ReplaceShaderLight(std::map<vtkShader::Type, vtkShader*>, vtkRenderer*, vtkActor*) override
   {
   }
@@ -81,7 +81,7 @@ private:
 vtkStandardNewMacro(SoftShadowHelper);
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-// Puts the helper in the place of VTK's own.
+// Replaces VTK's helper by SoftShadowHelper.
 class SoftShadowDelegator : public vtkOpenGLCompositePolyDataMapperDelegator
 {
 public:
@@ -115,7 +115,7 @@ bool IsLinear(vtkTexture* texture)
   return texture && texture->GetUseSRGBColorSpace();
 }
 
-// Whether a texture of the actor's is turned into linear light by OpenGL.
+// True if OpenGL converts a texture of the actor to linear light.
 bool HasLinearTexture(vtkActor* actor)
 {
   const auto& textures = actor->GetProperty()->GetAllTextures();
@@ -149,7 +149,7 @@ vtkSoftShadowShader* vtkSoftShadowCompositeMapper::GetShader()
   return this->Shader;
 }
 
-// A changed light is no change of the mapper: it would build the shader anew.
+// A change of the light does not change the mapper, which would otherwise build its shader again.
 vtkMTimeType vtkSoftShadowCompositeMapper::GetMTime()
 {
   return std::max(this->Superclass::GetMTime(), this->Shader->GetTextTime());
@@ -160,14 +160,14 @@ void vtkSoftShadowCompositeMapper::Render(vtkRenderer* renderer, vtkActor* actor
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window || !this->GetInputDataObject(0, 0) || !this->Shader->GetHeightField())
   {
-    return; // nothing delivered to this process
+    return; // this process received nothing
   }
   this->Shader->SetLinearTextures(HasLinearTexture(actor));
   this->Shader->SetLinearFramebuffer(window->GetUsingSRGBColorSpace());
   std::string reason = this->Shader->Prepare(window);
   if (!reason.empty() && this->Shader->GetHeightField()->GetPointData()->GetNumberOfArrays() == 0)
   {
-    reason += "; the filters Irradiance, Transfer and Visibility make light to show";
+    reason += "; use the filter Irradiance, Transfer or Visibility to compute light";
   }
   if (reason != this->Reported && !reason.empty())
   {
@@ -188,7 +188,7 @@ void vtkSoftShadowCompositeMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
-// Far from the origin the places in the textures need all digits that a float has.
+// Far from the origin, the coordinates in the textures need the full precision of a float.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 vtkCompositePolyDataMapperDelegator* vtkSoftShadowCompositeMapper::CreateADelegator()
 {

@@ -3,8 +3,8 @@
  * @class   vtkSoftShadowCompositeMapper
  * @brief   draws composite data in the light of a vtkSoftShadowShader
  *
- * The mapper of ParaView's surfaces with the shader patch that vtkSoftShadowPolyDataMapper draws with.
- * What cannot be drawn is reported once, in one line; then nothing is drawn.
+ * This is the mapper of ParaView's surfaces with the shader code of vtkSoftShadowPolyDataMapper. If
+ * something cannot be drawn, nothing is drawn, and the reason is reported once, in one line.
  */
 #ifndef vtkSoftShadowCompositeMapper_h
 #define vtkSoftShadowCompositeMapper_h
@@ -15,7 +15,7 @@
 
 #include <string> // For Reported
 
-// ParaView 5.12 and later batch the blocks by another class of VTK than 5.11.
+// ParaView 5.12 and later use another VTK class than 5.11 to draw blocks in batches.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 #include "vtkCompositePolyDataMapper.h"
 using vtkSoftShadowCompositeBase = vtkCompositePolyDataMapper;
@@ -35,7 +35,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The light; several mappers may share one. Never null.
+  /// The light. Several mappers may share one. It is never null.
   void SetShader(vtkSoftShadowShader* shader);
   vtkSoftShadowShader* GetShader();
   ///@}
