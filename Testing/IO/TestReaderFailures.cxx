@@ -213,10 +213,10 @@ TEST(ReaderFailures, NoPlaceOnTheBody)
   Recipe recipe;
   recipe.Crs = "EPSG:4326";
   recipe.Transform = { 0, 10, 0, 500, 0, -10 };
-  ExpectRefusal(recipe, "has no place");
+  ExpectRefusal(recipe, "has no longitude and latitude");
   recipe.Crs = "+proj=ortho +lat_0=0 +lon_0=0 +R=1737400 +type=crs";
   recipe.Transform = { -2000000, 800000, 0, 2000000, 0, -1000000 };
-  ExpectRefusal(recipe, "has no place");
+  ExpectRefusal(recipe, "has no longitude and latitude");
 }
 
 // Goode's map is torn along 40 degrees west north of the equator and along 20 degrees west south of it.
