@@ -18,7 +18,8 @@ namespace benchmark
 namespace
 {
 
-// Okabe & Ito's colours, told apart with every kind of colour vision, and shapes besides.
+// Colours of Okabe & Ito, which readers with any kind of colour vision can distinguish, and
+// different shapes.
 struct Mark
 {
   const char* Color;
@@ -84,14 +85,14 @@ struct Box
   }
 };
 
-// Letters of UTF-8.
+// The number of characters of a UTF-8 text.
 double LengthOf(const std::string& text)
 {
   return static_cast<double>(
     std::count_if(text.begin(), text.end(), [](char letter) { return (letter & 0xC0) != 0x80; }));
 }
 
-// Puts labels beside their points, where they cover least.
+// Places labels beside their points, where they overlap least.
 class Labels
 {
 public:
@@ -106,7 +107,7 @@ public:
   }
   Box Place(double x, double y, const std::string& text)
   {
-    constexpr double letter = 6.3, height = 12.0; // pixels, of the font below
+    constexpr double letter = 6.3, height = 12.0; // pixels, for the font below
     const double width = letter * LengthOf(text) + 2.0;
     Box best{};
     double least = std::numeric_limits<double>::infinity();
@@ -144,7 +145,7 @@ private:
   std::vector<Box> Taken;
 };
 
-// A logarithmic axis: value to pixels.
+// A logarithmic axis, which maps values to pixels.
 struct Axis
 {
   double First, Last; // decades
@@ -167,7 +168,7 @@ std::string TickText(double value)
                                          decade);
 }
 
-// Powers of ten; on a short axis twice and five times them too.
+// Powers of ten; on a short axis also their multiples by two and five.
 std::vector<double> TicksOf(const Axis& axis)
 {
   const bool isShort = axis.Last - axis.First < 2.1; // decades
@@ -188,7 +189,7 @@ std::vector<double> TicksOf(const Axis& axis)
   return ticks;
 }
 
-// The decades that the values fill, half a decade at each end to spare.
+// The decades that the values fill, with half a decade of margin at each end.
 void Range(const std::vector<double>& values, double& first, double& last)
 {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -196,7 +197,8 @@ void Range(const std::vector<double>& values, double& first, double& last)
   last = std::ceil(2.0 * std::log10(*high) + 0.3) / 2.0;
 }
 
-// What has no error stands on the lower edge, a tenth of the least error above 0.
+// Values below this count as no error. Their points stand on the lower edge, at a tenth of the
+// smallest error above 0.
 constexpr double NoError = 1e-7;
 
 double EdgeOf(const std::vector<const Finding*>& findings)
@@ -210,7 +212,7 @@ double EdgeOf(const std::vector<const Finding*>& findings)
   return 0.1 * least;
 }
 
-// edge: where what has no error stands; 0: nothing does.
+// edge: the value at which points without error stand; 0 if there are none.
 std::string DrawAxes(const Axis& x, const Axis& y, const Quantity& quantity, double edge)
 {
   std::string svg;
@@ -303,7 +305,7 @@ std::string Short(double value)
   {
     return "-";
   }
-  // Three digits without an exponent as long as that is no longer.
+  // Three digits without an exponent, if that is not longer.
   const double size = std::abs(value);
   if (size == 0.0 || (size >= 1e-4 && size < 1e6))
   {
@@ -380,7 +382,7 @@ std::string DrawChart(const std::vector<const Finding*>& findings, const ChartSt
     {
       svg += Text("<path class=\"leader\" d=\"M%.1f %.1fL%.1f %.1f\"/>", px, py, cx, cy);
     }
-    // Anchored at the side of the point: fonts differ in width.
+    // The text is anchored at the side of its point, because the widths of fonts differ.
     const bool right = box.Left >= px, left = box.Right <= px;
     const double from = right ? box.Left + 1.0
       : left                  ? box.Right - 1.0

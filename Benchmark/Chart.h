@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Error against run time as a picture: SVG, written as text, so that a report has its charts on a
-// machine without any OpenGL. (VTK's own charts, as SVG too, need a render window with a context.)
+// Charts of error against run time as SVG text, so that a report has its charts on a machine
+// without OpenGL. (VTK's own charts need a render window with a context even for SVG.)
 #ifndef skyline_Chart_h
 #define skyline_Chart_h
 
@@ -17,21 +17,21 @@ namespace benchmark
 struct ChartStyle
 {
   double Width = 460.0, Height = 330.0; ///< pixels
-  bool Alone = false;                   ///< a file of its own, with a background
-  std::string Title;                    ///< above the chart; empty: none
+  bool Alone = false;                   ///< the chart is a separate file with a background
+  std::string Title;                    ///< text above the chart; empty for none
 };
 
-/// Both axes logarithmic; every point with its label, the front as a line. Points without error stand
-/// on the lower edge. Empty if there is none.
+/// A chart with two logarithmic axes, a labelled point for each finding, and a line for the front.
+/// Points without error stand on the lower edge. Empty if there are no points.
 std::string DrawChart(const std::vector<const Finding*>& findings, const ChartStyle& style);
 
-/// The rules that the charts of a page share; a chart alone brings them.
+/// The style rules that the charts of a page share. A separate chart contains them itself.
 const char* ChartCss();
 
-/// Text for HTML, SVG and XML.
+/// The text with the special characters of HTML, SVG and XML escaped.
 std::string Escaped(const std::string& text);
 
-/// Three digits, "0" for 0, "-" for NaN.
+/// Three significant digits; "0" for 0 and "-" for NaN.
 std::string Short(double value);
 
 } // namespace benchmark

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light of the benchmark's irradiance.
+// The sky for which the benchmark computes irradiance.
 #ifndef skyline_ClearSky_h
 #define skyline_ClearSky_h
 
@@ -12,7 +12,7 @@ namespace skyline
 namespace benchmark
 {
 
-/// The clear sky of CIE S 011, type 12, without its sun, which stands in the south-east.
+/// The clear sky of CIE S 011, type 12, without its sun, which is in the south-east.
 inline vtkSmartPointer<vtkSkylineEnvironmentLight> MakeClearSky()
 {
   vtkNew<vtkSkylineEnvironmentLight> sky;

@@ -56,7 +56,7 @@ Result TimeUpdates(
     laps.Search([&] { filter->Update(); });
     if (!reason.empty())
     {
-      const std::size_t object = reason.find("): "); // VTK puts place and object before the reason
+      const std::size_t object = reason.find("): "); // after VTK's prefix
       throw std::runtime_error(object == std::string::npos ? reason : reason.substr(object + 3));
     }
   }
@@ -65,7 +65,7 @@ Result TimeUpdates(
   laps.Report(result, count);
   result.PrepareNs = result.SearchNs = NotMeasured;
   result.Threads = threads;
-  if (threads != 1) // the clock is that of this thread
+  if (threads != 1) // the clock measures the calling thread only
   {
     result.TotalNs = result.TotalMedianNs = result.ColdNs = NotMeasured;
   }
@@ -85,7 +85,7 @@ void CheckOnDevice(bool onDevice)
 {
   if (!onDevice)
   {
-    throw std::runtime_error("the graphics processor could not, the host did");
+    throw std::runtime_error("the graphics processor could not compute it, and the host did");
   }
 }
 

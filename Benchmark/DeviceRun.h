@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Timing filters, on the host or on the graphics processor.
+// Measures the run time of filters, on the host or on the graphics processor.
 #ifndef skyline_DeviceRun_h
 #define skyline_DeviceRun_h
 
@@ -19,18 +19,19 @@ namespace skyline
 namespace benchmark
 {
 
-/// Updates a filter again and again, each time as if the heights had changed; nanoseconds are for
-/// one of `count` parts. One thread, unless `threads` says otherwise. std::runtime_error if it fails.
+/// Updates a filter repeatedly, each time after a change of the heights. The nanoseconds are for
+/// one of `count` parts. Runs on one thread unless `threads` says otherwise. Throws
+/// std::runtime_error if the filter fails.
 Result TimeUpdates(
   vtkAlgorithm* filter, vtkImageData* heights, const Effort& effort, double count, int threads = 1);
 
-/// std::runtime_error with a one-line reason where there is no OpenGL context.
+/// Throws std::runtime_error with a one-line reason if there is no OpenGL context.
 void RequireDevice(vtkOpenGLHeightFieldDevice* device);
 
-/// std::runtime_error if the host had to compute.
+/// Throws std::runtime_error if the host computed the result.
 void CheckOnDevice(bool onDevice);
 
-/// Forgets the time of the host's processor, which only waits.
+/// Deletes the CPU times, in which the host only waits for the graphics processor.
 void KeepWallOnly(Result& result);
 
 } // namespace benchmark

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Horizons by casting rays at a triangle mesh with Intel Embree, one thread.
+// Horizons from rays cast at a triangle mesh with Intel Embree, on one thread.
 #ifndef skyline_EmbreeCaster_h
 #define skyline_EmbreeCaster_h
 
@@ -19,22 +19,23 @@ namespace skyline
 namespace benchmark
 {
 
-/// The mesh has both triangles of every complete cell, with the diagonals of Surface::Triangles.
+/// The mesh has both triangles of each complete cell, with the diagonals of Surface::Triangles.
 class EmbreeCaster
 {
 public:
-  /// std::runtime_error if Embree fails. The field must outlive the caster.
+  /// Throws std::runtime_error if Embree fails. The field must outlive the caster.
   explicit EmbreeCaster(const oracle::OracleField& field);
   ~EmbreeCaster();
   EmbreeCaster(const EmbreeCaster&) = delete;
   EmbreeCaster& operator=(const EmbreeCaster&) = delete;
 
-  /// Degrees, -90 where no ray meets terrain. before: the horizon to start from, that of the
-  /// azimuth before; accuracy: degrees by which the result may be off, half of the last bracket.
+  /// The horizon in degrees, or -90 if no ray meets terrain. `before`: the elevation at which the
+  /// search starts, the horizon of the previous azimuth. `accuracy`: the greatest error of the
+  /// result in degrees, which is half of the last bracket.
   double Horizon(
     std::ptrdiff_t post, const oracle::Direction& direction, double before, double accuracy) const;
 
-  /// Whether terrain stops the ray from a post along a unit vector (east, north, up) within `end`
+  /// True if terrain stops the ray from a post along a unit vector (east, north, up) within `end`
   /// metres.
   bool Stops(std::ptrdiff_t post, const std::array<double, 3>& direction, double end) const;
 
@@ -47,7 +48,7 @@ private:
   bool Occluded(RTCRay& ray) const;
 
   const oracle::OracleField& Field;
-  double Base = 0.0; // metres, between the lowest and the highest post
+  double Base = 0.0; // metres, halfway between the lowest and the highest post
   RTCDevice Device;
   RTCScene Mesh;
 };

@@ -36,7 +36,7 @@ Result MeasureEmbree(const Scene&, const Truth&, double, int)
 namespace
 {
 
-// Runs of adjacent posts that exist, at random places.
+// Runs of adjacent existing posts, at random places.
 std::vector<std::ptrdiff_t> RunsOfPosts(const oracle::OracleField& field, std::size_t count)
 {
   constexpr std::ptrdiff_t length = 64;
@@ -82,7 +82,7 @@ Result MeasureEmbree(const Scene& scene, const Truth& truth, double accuracy, in
   }
   const std::vector<std::ptrdiff_t> runs = RunsOfPosts(scene.Field, truth.Posts.size());
   Laps laps;
-  volatile double last = 0.0; // keeps the results wanted
+  volatile double last = 0.0; // prevents the compiler from removing the computation
   while (laps.Next(repeats, std::numeric_limits<double>::infinity()))
   {
     laps.Search(

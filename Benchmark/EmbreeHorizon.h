@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The peer: horizons by an Embree ray caster, measured.
+// Measures the horizons of an Embree ray caster, for comparison.
 #ifndef skyline_EmbreeHorizon_h
 #define skyline_EmbreeHorizon_h
 
@@ -13,13 +13,14 @@ namespace skyline
 namespace benchmark
 {
 
-/// "3.13.5", or "not built in" where Embree was not found.
+/// The version, such as "3.13.5", or "not built in" if Skyline was built without Embree.
 std::string EmbreeVersion();
 
-/// Errors on the posts of the truth; times on runs of adjacent posts, whose rays share caches as
-/// those of a whole raster do, all azimuths of a post in turn. accuracy: degrees by which a horizon
-/// may be off. Search: occlusion rays only, a bracket grown from the horizon of the azimuth before,
-/// as HORAYZON (Steger, Steger and Schaer 2022) starts, and halved until it is two accuracies wide.
+/// Errors are those at the posts of the reference. Times are measured on runs of adjacent posts,
+/// whose rays share caches as those of a whole raster do, with all azimuths of a post in turn.
+/// `accuracy`: the greatest error of a horizon in degrees. The search uses only occlusion rays: a
+/// bracket starts at the horizon of the previous azimuth, as in HORAYZON (Steger, Steger and Schaer
+/// 2022), grows, and is then halved until its width is twice the accuracy. Throws
 /// std::runtime_error("not built in") without Embree.
 Result MeasureEmbree(const Scene& scene, const Truth& truth, double accuracy, int repeats);
 

@@ -44,7 +44,7 @@ oracle::Vector3 NormalOf(const oracle::OracleField& field, std::ptrdiff_t post)
   return oracle::Unit({ -east, -north, 1.0 });
 }
 
-// The irradiance of a post from a ball of unit radiance, by rays into cells of equal solid angle.
+// The irradiance of a post from a ball of unit radiance, from rays in cells of equal solid angle.
 double BallLight(const EmbreeCaster& caster, const oracle::OracleField& field, std::ptrdiff_t post,
   const oracle::Vector3& normal, const LampAt& lamp, int side, shapes::Random& random)
 {
@@ -57,7 +57,7 @@ double BallLight(const EmbreeCaster& caster, const oracle::OracleField& field, s
     Unit(Cross(std::abs(axis.X) < 0.5 ? Vector3{ 1.0, 0.0, 0.0 } : Vector3{ 0.0, 1.0, 0.0 }, axis));
   const Vector3 up = Cross(axis, right);
   const double sine = lamp.Radius / distance;
-  const double depth = 1.0 - std::sqrt(1.0 - sine * sine); // 1 - cos of the ball's radius
+  const double depth = 1.0 - std::sqrt(1.0 - sine * sine); // 1 - cos(angular radius of the ball)
   double sum = 0.0;
   for (int j = 0; j < side; ++j)
   {
@@ -96,7 +96,7 @@ Result MeasureEmbreeSun(Stage& stage, SunScore::Kind kind)
     rays.push_back({ level * direction.East, level * direction.North,
       std::sin(sun.Elevation * RadiansPerDegree) });
   }
-  // As ours, the light of beams needs the posts' planes; who is lit does not.
+  // As in our filters, the planes of the posts are computed only if the irradiance is wanted.
   std::vector<std::vector<float>> light(Suns.size(), std::vector<float>(field.Heights.size()));
   Laps laps;
   while (laps.Next(stage.Work.Repeats, stage.Work.Seconds))
@@ -146,7 +146,7 @@ Result MeasureEmbreeLamp(Stage& stage, int side)
     laps.Search(
       [&]
       {
-        shapes::Random random(11); // other rays than the truth's
+        shapes::Random random(11); // other rays than those of the reference
         for (std::size_t i = 0; i < truth.Posts.size(); ++i)
         {
           const std::ptrdiff_t post = truth.Posts[i];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The peer for suns and lamps: rays cast at a mesh with Intel Embree, one thread.
+// Measures suns and lamps with rays cast at a mesh by Intel Embree on one thread, for comparison.
 #ifndef skyline_EmbreeLight_h
 #define skyline_EmbreeLight_h
 
@@ -12,11 +12,11 @@ namespace skyline
 namespace benchmark
 {
 
-/// One occlusion ray a post and sun, for all posts. std::runtime_error where Embree is not built in.
+/// One occlusion ray per post and sun, for all posts. Throws std::runtime_error without Embree.
 Result MeasureEmbreeSun(Stage& stage, SunScore::Kind kind);
 
-/// side x side rays a post into even cells of the lamp's disc, one at random in each, for the posts of
-/// the truth.
+/// side x side rays per post, one at random in each of as many equal cells of the lamp's disc, for
+/// the posts of the reference.
 Result MeasureEmbreeLamp(Stage& stage, int side);
 
 } // namespace benchmark

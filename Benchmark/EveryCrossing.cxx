@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
-// One build of the plain loops for each kind of vector, chosen when the program starts, so that
-// they have the same registers to run in as the method they are compared with. The choice comes
-// before the address sanitizer is ready for it.
+// The plain loops are compiled once for each vector width, and the version is selected when the
+// program starts, so that they use the same registers as the method that they are compared with.
+// The selection happens before the address sanitizer is ready for it.
 #if defined(__has_feature)
 #define SKYLINE_HAS_FEATURE(name) __has_feature(name)
 #else
@@ -19,7 +19,7 @@
 #else
 #define SKYLINE_EVERY_VECTOR
 #endif
-// Of what a loop touches, only the slopes are written.
+// Of the memory that a loop uses, only the slopes are written.
 #if defined(__clang__)
 #define SKYLINE_NO_ALIAS _Pragma("clang loop vectorize(assume_safety)")
 #else
@@ -35,8 +35,8 @@ namespace benchmark
 namespace
 {
 
-// The posts that the rays of the lanes meet in one step: on the line before and on the line itself,
-// with neighbours on either side.
+// The posts that the rays of the lanes meet in one step: on the previous line and on the line
+// itself, with neighbours on either side.
 struct Posts
 {
   const float *NearTrail, *NearLead, *NearBeyond; // beyond: on the far side of the lead
@@ -46,11 +46,11 @@ struct Posts
 struct Receivers
 {
   const float* Heights;
-  float* Best; // metres per line
+  float* Best; // greatest slopes, in metres per line
   std::ptrdiff_t Begin, End;
 };
 
-// Two posts of an edge and their weights.
+// Two posts of an edge, with their weights.
 struct Edge
 {
   const float *A, *B;
@@ -73,7 +73,7 @@ SKYLINE_INLINE float Smaller(float a, float b)
   return a < b ? a : b;
 }
 
-// Raises every lane to two edges.
+// Raises the slope of each lane to those of two edges.
 SKYLINE_INLINE void Raise(const Receivers& r, const Edge& first, const Edge& second)
 {
   const float* heights = r.Heights;
@@ -86,8 +86,9 @@ SKYLINE_INLINE void Raise(const Receivers& r, const Edge& first, const Edge& sec
   }
 }
 
-// The most that a cell's edges may say: nothing if one of its four posts is missing. A number
-// rather than a condition, because compilers do not vectorise loops with branches.
+// The upper limit for slopes on the edges of a cell, which excludes them if one of the four posts
+// is missing. It is a number and not a condition, because compilers do not vectorise loops with
+// branches.
 SKYLINE_INLINE float Limit(
   const float* a, const float* b, const float* c, const float* d, std::ptrdiff_t lane)
 {
@@ -95,7 +96,8 @@ SKYLINE_INLINE float Limit(
   return low > 0.5f * MissingHeight ? -MissingHeight : MissingHeight;
 }
 
-// The same where the edges' cell is complete; of two cells, where one of them is.
+// Raises the slopes, where an edge counts only if its cell is complete. For the edge between two
+// cells, one complete cell is enough.
 SKYLINE_INLINE void RaiseOneCell(
   const Receivers& r, const Posts& p, const Edge& entry, const Edge& middle, const Edge& row)
 {
@@ -145,7 +147,7 @@ SKYLINE_INLINE void CrossLine(const RayFrame& frame, std::ptrdiff_t line, const 
     const float* near = frame.Heights + (line + d - 1) * frame.LineStride + before.Lane;
     const float* far = frame.Heights + (line + d) * frame.LineStride + step.Lane;
     const Posts p{ near, near + drift, near + 2 * drift, far - drift, far, far + drift };
-    // Lanes whose rays have left the data meet nothing more.
+    // Rays that have left the data are not followed.
     const Receivers r{ heights, best, std::max<std::ptrdiff_t>(laneBegin, -step.Lane - 2),
       std::min<std::ptrdiff_t>(laneEnd, frame.Lanes - step.Lane + 2) };
 
@@ -181,7 +183,8 @@ SKYLINE_INLINE void CrossLine(const RayFrame& frame, std::ptrdiff_t line, const 
     }
     if (frame.Places[static_cast<std::size_t>(d)].Part == 0.0)
     {
-      // A ray through a post meets the cells around it; posts of none are missing in the plane.
+      // A ray through a post meets the cells around it. Posts that belong to no cell are missing in
+      // the plane.
       const Edge post{ p.FarTrail, p.FarTrail, step.RowTrail, 0.0f, step.RowSink };
       Raise(r, post, post);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The horizon by plain loops over every crossed edge, from which savings are counted.
+// Finds horizons with plain loops over each crossed edge. The savings of other methods are counted
+// from it.
 #ifndef skyline_EveryCrossing_h
 #define skyline_EveryCrossing_h
 
@@ -10,8 +11,8 @@ namespace skyline
 namespace benchmark
 {
 
-/// The oracle's work in float: every edge to the edge of the data, none skipped, one row of
-/// receivers abreast so that the compiler can vectorise. Triangles only.
+/// The computation of the oracle in float: each edge up to the end of the data, with none skipped,
+/// for a row of receivers at once so that the compiler can vectorise. Triangles only.
 class EveryCrossing : public HorizonMethod
 {
 public:

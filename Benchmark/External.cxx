@@ -50,7 +50,7 @@ Cost& Cost::operator+=(const Cost& next)
 
 Cost RunProgram(std::vector<std::string> words)
 {
-  constexpr int notThere = 127; // as a shell has it
+  constexpr int notThere = 127; // the exit code that a shell uses
   std::vector<char*> arguments;
   arguments.reserve(words.size() + 1);
   for (std::string& word : words)
@@ -92,7 +92,7 @@ namespace
 
 constexpr const char* ScratchName = "skyline-scratch-";
 
-// A descriptor of the folder that holds its lock; -1 where another process has it.
+// A descriptor of the folder that holds its lock, or -1 if another process holds it.
 int LockFolder(const std::string& folder)
 {
   const int file = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
@@ -104,7 +104,7 @@ int LockFolder(const std::string& folder)
   return file;
 }
 
-// Removes the folders of runs that were killed: nobody locks them any more.
+// Removes the folders of runs that were killed. No process holds their locks.
 void SweepScratchFolders()
 {
   std::error_code ignored;
@@ -129,7 +129,7 @@ void SweepScratchFolders()
 ScratchFolder::ScratchFolder()
 {
   SweepScratchFolders();
-  while (!fs::exists(this->Folder)) // it may be swept before it is locked
+  while (!fs::exists(this->Folder)) // another process may remove the folder before it is locked
   {
     std::string name = (fs::temp_directory_path() / (std::string(ScratchName) + "XXXXXX")).string();
     if (mkdtemp(name.data()) == nullptr)
@@ -153,7 +153,7 @@ ScratchFolder::~ScratchFolder()
 
 void WriteSagaGrid(const oracle::OracleField& field, const std::string& name)
 {
-  constexpr double square = 1e-6; // of a spacing
+  constexpr double square = 1e-6; // in spacings
   if (std::abs(field.SpacingX / field.SpacingY - 1.0) > square)
   {
     throw std::runtime_error("takes square cells alone");

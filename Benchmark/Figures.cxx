@@ -23,7 +23,7 @@ const std::vector<Figure>& Figures()
     { "relight_ns", "new light alone", [](const Result& r) { return r.RelightNs; } },
     { "repeats", "runs", [](const Result& r) { return r.Repeats; } },
     { "threads", "threads", [](const Result& r) { return r.Threads; } },
-    { "floats_per_post", "peak memory, floats a post",
+    { "floats_per_post", "peak memory, floats per post",
       [](const Result& r) { return r.FloatsPerPost; } },
     { "build_s", nullptr, [](const Result& r) { return r.BuildSeconds; } },
   };

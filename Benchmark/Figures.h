@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The figures of a finding by name, for every table.
+// The figures of a finding by name, for all tables.
 #ifndef skyline_Figures_h
 #define skyline_Figures_h
 
@@ -14,12 +14,13 @@ namespace benchmark
 
 struct Figure
 {
-  const char* Name; ///< in CSV and JSON
-  const char* Head; ///< on the page; null: not there
+  const char* Name; ///< name in CSV and JSON
+  const char* Head; ///< heading on the page; null if the page does not show it
   double (*Value)(const Result&);
 };
 
-/// Errors in the unit of the quantity, times in nanoseconds for the part that its chart names.
+/// Errors are in the unit of the quantity. Times are in nanoseconds per part, as named in the
+/// chart.
 const std::vector<Figure>& Figures();
 
 } // namespace benchmark

@@ -20,7 +20,8 @@ namespace benchmark
 namespace
 {
 
-// Of the sky view factor: the oracle's horizons of the truth, summed by the oracle.
+// The error of the sky view factor. The reference value is the oracle's sum over the horizons of
+// `truth`.
 double SkyViewRmse(const Scene& scene, const Truth& truth, const float* found)
 {
   constexpr std::size_t most = 256; // the oracle's sums are slow
@@ -63,7 +64,7 @@ Result MeasureFusedSkyView(const Scene& scene, const Truth& truth, int repeats)
   for (int repeat = 0; repeat < repeats; ++repeat)
   {
     const Seconds start = Now();
-    sky.reset(); // the last repeat's results are not part of this one
+    sky.reset(); // the results of the previous repeat must not count
     sky.reset(new float[4 * posts]);
     HorizonScene field(image, heights, options);
     const std::unique_ptr<float[]> gradients(new float[2 * posts]);
@@ -77,7 +78,7 @@ Result MeasureFusedSkyView(const Scene& scene, const Truth& truth, int repeats)
       scene.Field.Columns, buffers, gradients.get(), gradients.get() + posts);
     field.Run(truth.Azimuths, width, accumulator);
     const Seconds end = Now();
-    // The driver's own stopwatch tells the share of the preparation.
+    // The driver measures the share of the preparation itself.
     const Seconds total{ end.Cpu - start.Cpu, end.Wall - start.Wall };
     const double share = field.PrepareSeconds / total.Wall;
     laps.Add({ share * total.Cpu, share * total.Wall },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures horizons and all four sky quantities in one pass, as the sky-view filter runs them.
+// Measures horizons and all four sky quantities in one pass, as the sky view filter computes them.
 #ifndef skyline_FusedSkyView_h
 #define skyline_FusedSkyView_h
 
@@ -11,8 +11,9 @@ namespace skyline
 namespace benchmark
 {
 
-/// Exact horizons summed azimuth by azimuth into the four quantities, from the image to the filled
-/// arrays (heights, gradients and the transposed copy included), on one thread.
+/// Sums exact horizons, azimuth by azimuth, into the four quantities. The time covers everything
+/// from the image to the filled arrays (including heights, gradients and the transposed copy), on
+/// one thread.
 Result MeasureFusedSkyView(const Scene& scene, const Truth& truth, int repeats);
 
 } // namespace benchmark

@@ -37,11 +37,12 @@ Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths)
   ErrorSum errors;
   for (int k = 0; k < azimuths; ++k)
   {
-    // Spread over the circle, and off its axes and diagonals where there are azimuths enough.
+    // The azimuths are spread over the circle and, if there are enough, avoid the axes and
+    // diagonals.
     const std::size_t count = truth.Azimuths.size();
     const std::size_t azimuth = (count * static_cast<std::size_t>(8 * k + 3)) /
       static_cast<std::size_t>(8 * azimuths) % count;
-    // There angles run from east to the left.
+    // In GRASS, angles count anticlockwise from east.
     const double angle = std::fmod(450.0 - truth.Azimuths[azimuth], 360.0);
     sum += location.Run("r.horizon",
       { "-d", "elevation=heights", "direction=" + std::to_string(angle), "output=horizon" });
@@ -66,8 +67,7 @@ Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths)
   result.PrepareNs = NotMeasured;
   result.SearchNs = NotMeasured;
   result.Error = errors.Get();
-  std::snprintf(
-    result.Reason, sizeof result.Reason, "%d azimuths, start and files included", azimuths);
+  std::snprintf(result.Reason, sizeof result.Reason, "%d azimuths, with start and files", azimuths);
   result.Ran = true;
   return result;
 }

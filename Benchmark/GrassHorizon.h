@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The peer: r.horizon of GRASS GIS, run as a program where it is installed.
+// Measures r.horizon of GRASS GIS, if it is installed, for comparison.
 #ifndef skyline_GrassHorizon_h
 #define skyline_GrassHorizon_h
 
@@ -13,12 +13,12 @@ namespace skyline
 namespace benchmark
 {
 
-/// "8.2.1", or "not installed".
+/// The version, such as "8.2.1", or "not installed".
 std::string GrassVersion();
 
-/// r.horizon over the whole raster in a few azimuths off the axes, its CPU time with reading and
-/// writing; in a temporary location of its own, removed afterwards.
-/// std::runtime_error("not installed") where it is not.
+/// Runs r.horizon over the whole raster in a few azimuths that are not on the axes. The CPU time
+/// includes reading and writing. The temporary location is removed afterwards. Throws
+/// std::runtime_error("not installed") if GRASS is missing.
 Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths);
 
 } // namespace benchmark

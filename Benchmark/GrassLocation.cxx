@@ -48,7 +48,7 @@ Cost GrassLocation::Run(const std::string& module, std::vector<std::string> argu
 void GrassLocation::Import(const std::string& raster, const std::vector<double>& values) const
 {
   std::ofstream file(this->File("posts"), std::ios::binary);
-  for (std::ptrdiff_t row = this->Field.Rows - 1; row >= 0; --row) // rasters run from the north
+  for (std::ptrdiff_t row = this->Field.Rows - 1; row >= 0; --row) // starting in the north
   {
     for (std::ptrdiff_t column = 0; column < this->Field.Columns; ++column)
     {
@@ -68,7 +68,7 @@ void GrassLocation::Import(const std::string& raster, const std::vector<double>&
 
 std::vector<float> GrassLocation::Take(const std::string& prefix) const
 {
-  // A module adds the angle to the name, in a way that differs by release.
+  // The module adds the angle to the name, in a form that depends on the release.
   std::string raster;
   for (const auto& entry : fs::directory_iterator(this->Mapset() / "cell"))
   {
@@ -82,8 +82,8 @@ std::vector<float> GrassLocation::Take(const std::string& prefix) const
   this->Run("r.out.bin",
     { "-f", "input=" + raster, "output=" + this->File("values"), "order=native",
       "null=" + std::to_string(Null) });
-  fs::remove(this->Mapset() / "fcell" / raster); // of floats
-  fs::remove(this->Mapset() / "cell" / raster);  // of every kind
+  fs::remove(this->Mapset() / "fcell" / raster); // for rasters of floats
+  fs::remove(this->Mapset() / "cell" / raster);  // for all rasters
   std::vector<float> values(this->Field.Heights.size());
   std::ifstream file(this->File("values"), std::ios::binary);
   if (!file.read(reinterpret_cast<char*>(values.data()),

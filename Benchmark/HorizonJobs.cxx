@@ -26,8 +26,8 @@ namespace benchmark
 namespace
 {
 
-constexpr std::size_t ThinEvery = 8; // every crossing is slow: every eighth azimuth
-constexpr int DeviceAzimuths = 16;   // half of the truth's
+constexpr std::size_t ThinEvery = 8; // "every crossing" is slow and runs in every eighth azimuth
+constexpr int DeviceAzimuths = 16;   // half of those of the reference
 
 Result MeasureDevice(Stage& stage, bool pyramid)
 {
@@ -84,7 +84,7 @@ void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much
       });
   };
   HorizonSettings how;
-  char segments[100]; // compiled in, not settings: see Documentation/horizon.md
+  char segments[100]; // compiled constants, not settings: see Documentation/horizon.md
   std::snprintf(segments, sizeof segments, "%td near lines, segments of %td lines in groups of %td",
     std::ptrdiff_t{ ExactState::NearLines }, std::ptrdiff_t{ SegmentBounds::Lines },
     std::ptrdiff_t{ SegmentBounds::PerGroup });
@@ -97,7 +97,7 @@ void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much
   how.Method = HorizonMethodKind::Pyramid;
   kernel("pyramid", "pyramid", "k = 4, o = 2, b-spline", MainTurn, how);
   how.Pyramid.Spline = false;
-  kernel("pyramid", "pyramid, max", "k = 4, o = 2, greatest level alone", PeerTurn, how);
+  kernel("pyramid", "pyramid, max", "k = 4, o = 2, greatest level only", PeerTurn, how);
   add("every", "every crossing", "plain loops, every eighth azimuth", much ? MainTurn : PeerTurn,
     [stage]
     {
@@ -111,12 +111,12 @@ void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much
   {
     char label[40];
     std::snprintf(label, sizeof label, "Embree %.2f°", accuracy);
-    add("embree", label, "occlusion rays, bracket from the azimuth before",
+    add("embree", label, "occlusion rays, bracket from the previous azimuth",
       accuracy > 0.1 && much ? MainTurn : PeerTurn,
       [stage, accuracy]
       { return MeasureEmbree(stage->Scene, stage->Horizons(), accuracy, stage->Work.Repeats); });
   }
-  add("grass", "GRASS r.horizon", "-d, whole raster, start and files included", PeerTurn,
+  add("grass", "GRASS r.horizon", "-d, whole raster, with start and files", PeerTurn,
     [stage] { return MeasureGrass(stage->Scene, stage->Horizons(), 1); });
   how = HorizonSettings();
   for (const double tolerance : { 0.05, 1.0 })

@@ -14,18 +14,17 @@ namespace benchmark
 const std::vector<Quantity>& Quantities()
 {
   static const std::vector<Quantity> quantities{
-    { "horizon", "Horizons", "rmse of the horizon, degrees", "ns for one post and azimuth", false },
-    { "sky", "Sky view factor", "rmse of the sky view factor, 0 to 1", "ns for one post", false },
-    { "irradiance", "Irradiance of a clear sky", "rmse, % of the mean irradiance",
-      "ns for one post", false },
-    { "sun", "Who sees the sun", "posts on the wrong side of a shadow, %",
-      "ns for one post and sun", true },
-    { "beam", "Irradiance of the sun", "rmse, % of the mean irradiance", "ns for one post and sun",
+    { "horizon", "Horizons", "rmse of the horizon, degrees", "ns per post and azimuth", false },
+    { "sky", "Sky view factor", "rmse of the sky view factor, 0 to 1", "ns per post", false },
+    { "irradiance", "Irradiance of a clear sky", "rmse, % of the mean irradiance", "ns per post",
       false },
-    { "lamp", "Irradiance of a lamp", "rmse, % of the mean irradiance", "ns for one post", false },
-    { "frame", "Moving terrain: a frame", "rmse, % of the mean irradiance", "ns for one post",
+    { "sun", "Visibility of the sun", "posts on the wrong side of a shadow, %",
+      "ns per post and sun", true },
+    { "beam", "Irradiance of the sun", "rmse, % of the mean irradiance", "ns per post and sun",
       false },
-    { "threads", "Threads: sky view of 36 azimuths", "", "ns for one post, wall time", false },
+    { "lamp", "Irradiance of a lamp", "rmse, % of the mean irradiance", "ns per post", false },
+    { "frame", "Moving terrain: a frame", "rmse, % of the mean irradiance", "ns per post", false },
+    { "threads", "Threads: sky view of 36 azimuths", "", "ns per post, wall time", false },
   };
   return quantities;
 }

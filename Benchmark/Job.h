@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One measurement to make, and what it found.
+// One measurement and its result.
 #ifndef skyline_Job_h
 #define skyline_Job_h
 
@@ -15,38 +15,38 @@ namespace skyline
 namespace benchmark
 {
 
-/// What is measured: a chart of its own for every scene.
+/// A measured quantity. Each scene has a chart of its own for it.
 struct Quantity
 {
   std::string Name;     ///< "horizon"
   std::string Title;    ///< "Horizons"
-  std::string Error;    ///< axis: what the error is, with its unit
-  std::string Time;     ///< axis: what the time is, with its unit
-  bool ByWrong = false; ///< the error of the charts is WrongPercent, else the rmse
+  std::string Error;    ///< axis title: the error with its unit
+  std::string Time;     ///< axis title: the time with its unit
+  bool ByWrong = false; ///< charts show WrongPercent as the error, not the rmse
 };
 
-/// All of them, in the order of the report.
+/// All quantities, in the order of the report.
 const std::vector<Quantity>& Quantities();
 const Quantity& FindQuantity(const std::string& name);
 
-/// Names that --methods takes: what a method is, whatever its settings.
+/// The names that --methods accepts: the type of a method, whatever its settings.
 const std::vector<std::string>& Kinds();
 
-/// Who measures what where.
+/// Which method measures which quantity on which scene.
 struct Task
 {
   std::string Quantity; ///< a name of Quantities()
   std::string Scene;
   std::string Kind;     ///< a name of Kinds()
-  std::string Label;    ///< short, at the point of a chart
-  std::string Settings; ///< in words
-  int Turn = 0;         ///< what matters most comes first
+  std::string Label;    ///< short text beside the point in a chart
+  std::string Settings; ///< the settings as a text
+  int Turn = 0;         ///< rank in the order of measurements; 0 comes first
 };
 
 struct Job
 {
   Task What;
-  std::function<void()> Prepare; ///< finds the truth once; not timed
+  std::function<void()> Prepare; ///< computes the reference once; not timed
   std::function<Result()> Measure;
 };
 
@@ -54,11 +54,11 @@ struct Finding
 {
   Task What;
   Result Found;
-  double Seconds = 0.0; ///< wall time, with a truth that was found for it
+  double Seconds = 0.0; ///< wall time, including a reference that was computed for it
 };
 
-/// The coordinates of a finding in its chart: nanoseconds (CPU, median; wall where the processor is
-/// another's) and error. NaN if not measured.
+/// The coordinates of a finding in its chart: nanoseconds (median CPU time, or wall time if the
+/// graphics processor computes) and error. NaN if not measured.
 double TimeOf(const Finding& finding);
 double ErrorOf(const Finding& finding);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The measurements of every quantity on a scene, in one list.
+// The list of the measurements of all quantities on a scene.
 #ifndef skyline_Jobs_h
 #define skyline_Jobs_h
 
@@ -17,14 +17,15 @@ namespace skyline
 namespace benchmark
 {
 
-/// Turns: what comes first when time is short. A scene that matters less adds to them (Session.cxx).
-constexpr int MainTurn = 0;   ///< the main setting of a family of methods
-constexpr int PeerTurn = 1;   ///< other programs, second settings
-constexpr int DeviceTurn = 2; ///< the graphics processor, which may be this processor in disguise
+/// Turns: the order of the measurements when time is short. For a less important scene, Session.cxx
+/// adds to them.
+constexpr int MainTurn = 0;   ///< the main setting of each family of methods
+constexpr int PeerTurn = 1;   ///< other programs, and second settings
+constexpr int DeviceTurn = 2; ///< the graphics processor, which may be emulated on this processor
 constexpr int SweepTurn = 3;  ///< further values of a parameter
 constexpr int LastTurn = 6;   ///< programs that take minutes
 
-/// The methods of vtkHeightFieldAlgorithm, with their names in --methods.
+/// The methods of vtkHeightFieldAlgorithm, with the names that --methods accepts.
 struct SearchMethod
 {
   const char* Name;
@@ -36,12 +37,12 @@ constexpr SearchMethod Searches[] = { { "exact", vtkHeightFieldAlgorithm::EXACT 
 
 using StagePointer = std::shared_ptr<Stage>;
 
-/// A job on a stage; the other arguments are those of Task and Job.
+/// Adds a job on a stage. The other arguments are those of Task and Job.
 void AddJob(std::vector<Job>& jobs, const StagePointer& stage, const char* quantity,
   const char* kind, const std::string& label, const std::string& settings, int turn,
   std::function<void()> prepare, std::function<Result()> measure);
 
-/// much: further settings, and the graphics processor.
+/// `much`: whether to add further settings and the graphics processor.
 void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much);
 void AddSkyJobs(std::vector<Job>& jobs, const StagePointer& stage);
 void AddThreadJobs(std::vector<Job>& jobs, const StagePointer& stage);

@@ -14,9 +14,10 @@ namespace benchmark
 namespace
 {
 
-constexpr std::ptrdiff_t ChunkLines = 64; // what the filters hand to a thread
+constexpr std::ptrdiff_t ChunkLines = 64; // number of lines that the filters give to a thread
 
-// One azimuth, its slopes in a buffer that every chunk uses again, as an accumulator gets them.
+// Runs a method in one azimuth. Each chunk of lines uses the same buffer of slopes, as in a filter
+// with an accumulator.
 class Driver
 {
 public:
@@ -31,7 +32,7 @@ public:
     this->Method.Prepare(0, this->Method.PrepareCount());
   }
 
-  /// take(line, slopes of the line): called line by line.
+  /// Calls take(line, slopes of the line) for each line.
   template <typename Take>
   void Search(const Take& take)
   {
@@ -54,7 +55,7 @@ private:
   std::vector<float> Slopes;
 };
 
-// Elevations of the posts of the truth in one azimuth, in its order.
+// Elevations at the posts of the reference in one azimuth, in the order of the reference.
 std::vector<double> Sample(
   Driver& driver, const RayFrame& frame, const Grid& grid, const std::vector<std::ptrdiff_t>& posts)
 {

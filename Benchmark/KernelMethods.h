@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures whatever speaks HorizonMethod, and the sky view fused with it.
+// Measures any HorizonMethod.
 #ifndef skyline_KernelMethods_h
 #define skyline_KernelMethods_h
 
@@ -17,12 +17,12 @@ namespace benchmark
 
 using MakeMethod = std::function<std::unique_ptr<HorizonMethod>(const HeightField&)>;
 
-/// Azimuths that a slow method is timed in: every `thin`-th, at another place in each stride so
-/// that the axes do not get more than their share. Indices; 1 gives all.
+/// Indices of the azimuths in which a slow method is timed: one in each group of `thin`, at a
+/// different place in each group, so that the axes are not over-represented. With 1, all azimuths.
 std::vector<std::size_t> ThinnedAzimuths(std::size_t count, std::size_t thin);
 
-/// Errors, times and memory of one method; it runs in all azimuths of the truth or a part of them.
-/// No repeat begins after `seconds`.
+/// Errors, times and memory of one method, which runs in all azimuths of the reference or in a part
+/// of them. No repeat begins after `seconds`.
 Result MeasureKernel(const Scene& scene, const Truth& truth, const MakeMethod& make, int repeats,
   std::size_t thin = 1, double seconds = 1e9);
 

@@ -95,7 +95,7 @@ void AddLampJobs(std::vector<Job>& jobs, const StagePointer& stage)
   {
     AddJob(
       jobs, stage, "lamp", "embree", "Embree " + std::to_string(side * side),
-      std::to_string(side * side) + " rays a post into even cells of the lamp",
+      std::to_string(side * side) + " rays per post into equal cells of the lamp",
       side == 8 ? PeerTurn : SweepTurn, [stage] { stage->LampLight(); },
       [stage, side] { return MeasureEmbreeLamp(*stage, side); });
   }

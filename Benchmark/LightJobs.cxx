@@ -64,7 +64,7 @@ Result MeasureSky(Stage& stage, int method, int azimuths)
   return result;
 }
 
-// Sky view factors of another program.
+// Errors and cost of the sky view factors of another program.
 Result OfProgram(Stage& stage, const Cost& cost, const std::vector<float>& found)
 {
   ErrorSum errors;
@@ -85,7 +85,7 @@ Result OfProgram(Stage& stage, const Cost& cost, const std::vector<float>& found
   return result;
 }
 
-// Sectors of rays from cell to cell.
+// Sky view factors of SAGA, with rays from cell to cell in a number of sectors.
 Result MeasureSagaSky(Stage& stage, int sectors)
 {
   const oracle::OracleField& field = stage.Scene.Field;
@@ -97,7 +97,8 @@ Result MeasureSagaSky(Stage& stage, int sectors)
   return OfProgram(stage, cost, ReadSagaGrid(field, folder.File("sky")));
 }
 
-// r.sun's diffuse light, which no terrain hides: what a sky view factor without horizons is.
+// The diffuse light of r.sun, which ignores the shadow of terrain: a sky view factor without
+// horizons.
 Result MeasureGrassDiffuse(Stage& stage)
 {
   const oracle::OracleField& field = stage.Scene.Field;
@@ -106,7 +107,7 @@ Result MeasureGrassDiffuse(Stage& stage)
   return OfProgram(stage, cost, found);
 }
 
-// Red, green and blue together, in per cent of the mean.
+// The errors of red, green and blue together, in per cent of the mean.
 Errors LightErrors(vtkFloatArray* found, const LightTruth& truth)
 {
   ErrorSum errors;
@@ -125,10 +126,10 @@ Errors LightErrors(vtkFloatArray* found, const LightTruth& truth)
 struct LightSettings
 {
   bool Harmonics = false;
-  int Count = 128; // azimuths
+  int Count = 128; // number of azimuths
   int Bands = 4;
   int Method = vtkHeightFieldAlgorithm::EXACT;
-  bool Keep = false; // horizons
+  bool Keep = false; // keep the horizons
 };
 
 void Apply(const LightSettings& how, vtkHeightFieldIrradiance* filter)
@@ -141,7 +142,7 @@ void Apply(const LightSettings& how, vtkHeightFieldIrradiance* filter)
   filter->SetKeepHorizons(how.Keep);
 }
 
-// The light alone changes.
+// The time for a new light, with everything else unchanged.
 double RelightNs(
   vtkHeightFieldIrradiance* filter, vtkSkylineEnvironmentLight* sky, const Effort& effort)
 {
@@ -150,7 +151,7 @@ double RelightNs(
   while (laps.Next(effort.Repeats, effort.Seconds))
   {
     sky->SetSunAzimuth(140.0 + 10.0 * repeat++);
-    sky->GetLightMap(); // the sky is drawn by the light, not by the filter
+    sky->GetLightMap(); // the light, not the filter, computes the sky map
     laps.Search([&] { filter->Update(); });
   }
   Result result;
@@ -186,7 +187,7 @@ Result MeasureDeviceIrradiance(Stage& stage, const LightSettings& how)
   return result;
 }
 
-// What every frame of moving terrain takes: a new surface, new horizons, new light.
+// The cost of a frame of moving terrain: a new surface, new horizons, new light.
 Result MeasureFrames(Stage& stage, const LightSettings& how)
 {
   vtkNew<vtkHeightFieldIrradiance> filter;
@@ -224,12 +225,12 @@ void AddSkyJobs(std::vector<Job>& jobs, const StagePointer& stage)
   for (const int sectors : { 8, 36 })
   {
     add("saga", "SAGA " + std::to_string(sectors),
-      "ta_lighting 3, whole radius, cell by cell, one thread, start and files included",
+      "ta_lighting 3, whole radius, cell by cell, one thread, with start and files",
       sectors == 8 ? PeerTurn : SweepTurn,
       [stage, sectors] { return MeasureSagaSky(*stage, sectors); });
   }
   add("grass", "GRASS r.sun, diffuse",
-    "diff_rad, sun at the zenith, coeff_bh=0: a slope without terrain; start and files included",
+    "diff_rad, sun at the zenith, coeff_bh=0: no shadows of terrain; with start and files",
     PeerTurn, [stage] { return MeasureGrassDiffuse(*stage); });
 }
 

@@ -35,7 +35,7 @@ std::string Processor()
   return "unknown";
 }
 
-// The one that Highway's dispatch takes: targets are bits, the best is the lowest.
+// The instruction set that Highway selects. Each target is a bit; the best one is the lowest.
 std::string VectorTarget()
 {
   const auto targets = hwy::SupportedTargets() & (HWY_TARGETS);
@@ -86,7 +86,7 @@ std::vector<std::pair<std::string, std::string>> MachineFacts()
 
 std::string DescribeMachine()
 {
-  constexpr std::size_t width = 16; // of the names
+  constexpr std::size_t width = 16; // width of the column of names
   std::ostringstream text;
   for (const auto& [name, value] : MachineFacts())
   {

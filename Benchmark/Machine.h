@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where and with what a benchmark ran.
+// Where a benchmark ran, and with which software.
 #ifndef skyline_Machine_h
 #define skyline_Machine_h
 
@@ -12,13 +12,14 @@ namespace skyline
 namespace benchmark
 {
 
-/// Names and values: date, processor, cores and load, vector target, compiler, versions of the peers.
+/// Names and values: date, processor, cores and load, vector target, compiler, versions of the
+/// other programs.
 std::vector<std::pair<std::string, std::string>> MachineFacts();
 
-/// The same as lines "name: value".
+/// The same facts as lines "name: value".
 std::string DescribeMachine();
 
-/// Load averages of the machine now: what else may have slowed the figures.
+/// The load averages of the machine, which show whether other work may have slowed the measurement.
 std::string Load();
 
 } // namespace benchmark

@@ -36,7 +36,7 @@ double Clock(clockid_t id)
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// A line of /proc/self/status, in bytes; 0 where there is none.
+// The value of a line of /proc/self/status, in bytes; 0 if there is no such line.
 double StatusBytes(const std::string& name)
 {
   std::ifstream status("/proc/self/status");
@@ -107,7 +107,8 @@ void Laps::Report(Result& result, double count) const
 
 PeakMemory::PeakMemory()
 {
-  // Blocks freed before must not hide blocks taken later; Linux forgets its old peak on request.
+  // Memory that was freed earlier must not hide later allocations. Writing "5" makes Linux reset
+  // the peak.
   mallopt(M_MMAP_THRESHOLD, 64 * 1024);
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << "5";
@@ -140,7 +141,7 @@ void ForAll(
   }
   catch (const std::system_error&)
   {
-    // No more threads: those there are do the work.
+    // No more threads could be started: the existing ones do the work.
   }
   run();
   for (std::thread& other : others)
@@ -152,7 +153,8 @@ void ForAll(
 namespace
 {
 
-// Waits until the child writes or ends; kills it, and what it started, when asked to stop.
+// Waits until the child writes or ends. If asked to stop, kills the child and the programs that it
+// started.
 void Await(int end, pid_t child, const WantsToStop& stop)
 {
   constexpr int patience = 50; // milliseconds
@@ -187,7 +189,7 @@ Result InChild(const std::function<Result()>& measure, const WantsToStop& stop)
   if (child == 0)
   {
     close(ends[0]);
-    setpgid(0, 0); // Ctrl-C is for the parent, which ends this group
+    setpgid(0, 0); // Ctrl-C goes to the parent, which then ends this group
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     for (const int signal : { SIGINT, SIGTERM, SIGHUP, SIGALRM })
     {
@@ -203,12 +205,12 @@ Result InChild(const std::function<Result()>& measure, const WantsToStop& stop)
       std::snprintf(found.Reason, sizeof found.Reason, "%s", failure.what());
     }
     const bool written = write(ends[1], &found, sizeof found) == ssize_t{ sizeof found };
-    _exit(written ? 0 : 1); // no destructors: the parent's files and libraries are not the child's
+    _exit(written ? 0 : 1); // no destructors, because files and libraries belong to the parent
   }
   close(ends[1]);
   if (child > 0)
   {
-    setpgid(child, child); // whoever of the two comes first
+    setpgid(child, child); // set by both processes, because either may run first
     Await(ends[0], child, stop);
   }
   Result found;

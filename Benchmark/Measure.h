@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clocks, peak memory, and a process of its own for every measurement.
+// Clocks, peak memory, and a separate process for each measurement.
 #ifndef skyline_Measure_h
 #define skyline_Measure_h
 
@@ -14,7 +14,7 @@ namespace skyline
 namespace benchmark
 {
 
-/// Seconds.
+/// CPU and wall time, in seconds.
 struct Seconds
 {
   double Cpu = 0.0; ///< of the calling thread
@@ -22,15 +22,15 @@ struct Seconds
 };
 Seconds Now();
 
-/// CPU seconds of all threads of the process.
+/// CPU time of all threads of the process, in seconds.
 double ProcessCpu();
 
-/// Times of the two halves of a method, repeat by repeat.
+/// The times of the preparation and the search of a method, for each repeat.
 class Laps
 {
 public:
-  /// Begins another repeat, the first in any case; false once there are `repeats`, or the ones so far
-  /// took `seconds` of wall time.
+  /// Begins another repeat; the first one always begins. Returns false after `repeats` repeats, or
+  /// once they took `seconds` of wall time.
   bool Next(int repeats, double seconds)
   {
     const double now = Now().Wall;
@@ -57,13 +57,13 @@ public:
   {
     Time(this->Repeats.back().Search, work);
   }
-  /// A repeat timed elsewhere.
+  /// Adds a repeat that was timed elsewhere.
   void Add(const Seconds& prepare, const Seconds& search)
   {
     this->Repeats.push_back({ prepare, search });
   }
 
-  /// Fills in the nanoseconds; count: posts x azimuths of a repeat.
+  /// Fills in the nanoseconds. `count`: posts x azimuths of one repeat.
   void Report(Result& result, double count) const;
 
 private:
@@ -86,7 +86,7 @@ private:
   double Start = 0.0;
 };
 
-/// Growth of the peak of resident memory from construction on, in floats a post.
+/// The growth of the peak of resident memory since construction, in floats per post.
 class PeakMemory
 {
 public:
@@ -97,17 +97,17 @@ private:
   double Start; // bytes
 };
 
-/// Asked now and then during long work; true: stop.
+/// Called regularly during long work. True means stop.
 using WantsToStop = std::function<bool()>;
 
-/// Runs work(0) to work(count - 1) on all processors, for truths, which nobody times. Leaves the
-/// rest out when asked to stop.
+/// Runs work(0) to work(count - 1) on all processors. It is used for reference values, which are
+/// not timed. Omits the rest when asked to stop.
 void ForAll(
   std::size_t count, const std::function<void(std::size_t)>& work, const WantsToStop& stop = {});
 
-/// Runs a measurement in a forked child, so that memory, caches of the allocator, threads of
-/// libraries and crashes stay its own. What it throws becomes the reason. When asked to stop, the
-/// child ends at once, with the programs that it runs.
+/// Runs a measurement in a forked child, so that memory, allocator caches, threads of libraries and
+/// crashes do not affect other measurements. The text of an exception becomes the reason. When
+/// asked to stop, the child and the programs that it runs end at once.
 Result InChild(const std::function<Result()>& measure, const WantsToStop& stop = {});
 
 } // namespace benchmark

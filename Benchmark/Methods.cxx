@@ -32,7 +32,7 @@ Method OfSettings(const char* name, const char* label, HorizonMethodKind kind, d
           } };
 }
 
-// SN08's cheaper pyramid, for environment light.
+// The cheaper pyramid of Snyder & Nowrouzezahrai (2008), for environment light.
 Method OfLevels(const char* name, const char* label)
 {
   HorizonSettings settings;
@@ -87,20 +87,20 @@ std::string DescribeMethods()
 {
   std::ostringstream text;
   text
-    << "exact            every edge of " << ExactState::NearLines
-    << " near lines, then segments of " << SegmentBounds::Lines << " lines in groups of "
-    << SegmentBounds::PerGroup << " segments, skipped under their bounds\n"
-    << "exact, 0.05 deg  the same, may fall short by " << LooseTolerance << " degrees\n"
-    << "fast             the same, may fall short by " << FastTolerance * DegreesPerRadian
+    << "exact            each edge of " << ExactState::NearLines << " near lines, then segments of "
+    << SegmentBounds::Lines << " lines in groups of " << SegmentBounds::PerGroup
+    << " segments, skipped if their bounds allow it\n"
+    << "exact, 0.05 deg  the same, may lie lower by " << LooseTolerance << " degrees\n"
+    << "fast             the same, may lie lower by " << FastTolerance * DegreesPerRadian
     << " degrees\n"
     << "sweep            Timonen & Westerholm 2010, resampled\n"
     << "pyramid          Snyder & Nowrouzezahrai 2008, k = 4, o = 2; no horizon below 0\n"
     << "every crossing   plain float loops over all edges, vectorised by the compiler\n"
-    << "Embree           occlusion rays of one thread, the bracket grown from the azimuth before "
-       "and halved until it is\n                 twice the accuracy wide; behind missing posts a "
-       "ray may pass under the rim\n"
-    << "GRASS r.horizon  the whole raster, in few azimuths\n"
-    << "exact + sky view image to four sky quantities, as the filter runs it\n";
+    << "Embree           occlusion rays on one thread; the bracket grows from the previous azimuth "
+       "and is halved until its width is\n                 twice the accuracy; behind missing posts "
+       "a ray may pass below the rim\n"
+    << "GRASS r.horizon  the whole raster, in a few azimuths\n"
+    << "exact + sky view from the image to four sky quantities, as in the filter\n";
   return text.str();
 }
 

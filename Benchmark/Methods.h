@@ -15,25 +15,25 @@ namespace skyline
 namespace benchmark
 {
 
-/// How much of a benchmark to run.
+/// How much of the benchmark to run.
 struct Plan
 {
-  int Repeats = 3;       ///< of the timed part
-  std::size_t Thin = 8;  ///< slow methods run in every Thin-th azimuth
-  int GrassAzimuths = 2; ///< of r.horizon, the slowest
+  int Repeats = 3;       ///< repeats of the timed part
+  std::size_t Thin = 8;  ///< slow methods run in one of Thin azimuths
+  int GrassAzimuths = 2; ///< azimuths of r.horizon, the slowest method
 };
 
 struct Method
 {
-  std::string Name; ///< on the command line and in the CSV
+  std::string Name; ///< name on the command line and in the CSV
   std::string Label;
   std::function<Result(const Scene&, const Truth&, const Plan&)> Measure;
 };
 
-/// All of them, in the order of the table.
+/// All methods, in the order of the table.
 const std::vector<Method>& Methods();
 
-/// What the labels mean, a line each.
+/// The meaning of the labels, one line for each.
 std::string DescribeMethods();
 
 } // namespace benchmark

@@ -22,7 +22,7 @@ bool IsPaper(const Finding& finding)
   return finding.What.Kind == "sweep" || finding.What.Kind == "pyramid";
 }
 
-// Whether there is anything to compare with.
+// True if one of our methods was measured that can be compared with `paper`.
 bool HasOurs(const std::vector<Finding>& findings, const Finding& paper)
 {
   return std::any_of(findings.begin(), findings.end(),

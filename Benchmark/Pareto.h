@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which findings no other one beats, and what the ratios of a session are.
+// Finds the results that no other result beats, and the ratios between the methods.
 #ifndef skyline_Pareto_h
 #define skyline_Pareto_h
 
@@ -13,34 +13,34 @@ namespace skyline
 namespace benchmark
 {
 
-/// Whether a finding has both coordinates of a chart.
+/// True if a finding has both coordinates of a chart.
 bool OnChart(const Finding& finding);
 
-/// Whether a takes no more time and has no more error than b, and less of one.
+/// True if `a` takes no more time and has no greater error than `b`, and is better in at least one.
 bool Beats(const Finding& a, const Finding& b);
 
-/// Those of one chart that no other beats, from the quickest to the most exact. Pointers into
-/// `findings`.
+/// The findings of one chart that no other finding beats, from the fastest to the most exact, as
+/// pointers into `findings`.
 std::vector<const Finding*> Front(const std::vector<const Finding*>& findings);
 
-/// The findings of a quantity on a scene that are on its chart.
+/// The findings of a quantity on a scene that have a point in its chart.
 std::vector<const Finding*> ChartOf(
   const std::vector<Finding>& findings, const std::string& quantity, const std::string& scene);
 
-/// A method of the papers that neither exact nor fast beats somewhere.
+/// A result of a published method (sweep or pyramid) that neither exact nor fast beats.
 struct Exception
 {
   const Finding* Paper = nullptr;
-  const Finding* Nearest = nullptr; ///< the quickest of ours with no more error; null: none
+  const Finding* Nearest = nullptr; ///< the fastest of ours with no greater error; null: none
   const Finding* Alike = nullptr;   ///< exact with the same settings, if it ran
-  bool Tie = false;                 ///< Nearest's quickest run was no slower: the clock's scatter
+  bool Tie = false;                 ///< equal within scatter: Nearest's fastest run was no slower
 };
-/// Sweep and pyramid of a quantity that were measured where exact or fast was too.
+/// The number of results of sweep and pyramid that can be compared with exact or fast.
 std::size_t ComparedWithPapers(const std::vector<Finding>& findings, const std::string& quantity);
 
 std::vector<Exception> Exceptions(const std::vector<Finding>& findings);
 
-/// How many times faster; on a scene.
+/// How many times faster one method is than another, on a scene.
 struct Ratio
 {
   std::string Name; ///< "exact over every crossing"
@@ -48,8 +48,8 @@ struct Ratio
   double Times = 0.0;
 };
 
-/// Of horizons: exact over every crossing, Embree at 0.25 degrees, GRASS and the papers' methods, fast
-/// over exact.
+/// For horizons: exact compared with every crossing, Embree at 0.25 degrees, GRASS and the
+/// published methods; fast compared with exact.
 std::vector<Ratio> Ratios(const std::vector<Finding>& findings);
 
 } // namespace benchmark

@@ -18,9 +18,9 @@ namespace benchmark
 namespace
 {
 
-constexpr int Day = 80; // of r.sun; its declination is overridden, its distance from the sun is not
+constexpr int Day = 80; // for r.sun; only its distance from the sun matters, not its declination
 
-// A raster that runs from the north, turned round.
+// Reverses the rows of a raster that begins in the north.
 template <typename Value>
 std::vector<float> FromNorth(const oracle::OracleField& field, const std::vector<Value>& raster)
 {
@@ -59,7 +59,7 @@ std::shared_ptr<GrassLocation> PlaceInGrass(const oracle::OracleField& field)
   return location;
 }
 
-// Degrees: slope, and aspect as GRASS has it, from east to the left, 0 where it is level.
+// Slope in degrees, and aspect as in GRASS: anticlockwise from east, 0 if the surface is level.
 void ImportSlopes(const GrassLocation& location, const oracle::OracleField& field)
 {
   std::vector<double> slope, aspect;
@@ -72,7 +72,7 @@ void ImportSlopes(const GrassLocation& location, const oracle::OracleField& fiel
       const double tilt = std::hypot(east, north);
       slope.push_back(std::atan(tilt) * DegreesPerRadian);
       const double down = std::atan2(-north, -east) * DegreesPerRadian;
-      const double left = down > 0.0 ? down : down + 360.0; // 0 would say level
+      const double left = down > 0.0 ? down : down + 360.0; // 0 would mean a level surface
       aspect.push_back(std::isfinite(tilt) && tilt == 0.0 ? 0.0 : left);
     }
   }
@@ -93,7 +93,7 @@ PeerSun SagaSun(const oracle::OracleField& field)
       "-METHOD=2", "-AZIMUTH=" + std::to_string(sun.Azimuth),
       "-DECLINATION=" + std::to_string(sun.Elevation) });
     std::vector<float> beam = ReadSagaGrid(field, folder.File("shade"));
-    constexpr float dark = 0.4999f * static_cast<float>(Pi); // a right angle stands for shadow
+    constexpr float dark = 0.4999f * static_cast<float>(Pi); // a right angle marks shadow
     for (float& value : beam)
     {
       value = value < dark ? std::cos(value) : 0.0f;
@@ -104,7 +104,7 @@ PeerSun SagaSun(const oracle::OracleField& field)
 
 PeerSun GdalSun(const oracle::OracleField& field)
 {
-  const auto place = std::make_shared<SagaFolder>(field); // GDAL opens SAGA's grids
+  const auto place = std::make_shared<SagaFolder>(field); // GDAL can open SAGA's grids
   return [place, &field](const SunAt& sun, Cost& cost)
   {
     const ScratchFolder& folder = place->Folder;
@@ -138,7 +138,7 @@ PeerSun GrassSunMask(const oracle::OracleField& field)
     std::vector<float> lit = FromNorth(field, location->Take("shade"));
     for (float& value : lit)
     {
-      value = value == 1.0f ? 0.0f : 1.0f; // it marks shadow
+      value = value == 1.0f ? 0.0f : 1.0f; // 1 marks shadow
     }
     return lit;
   };
@@ -161,11 +161,11 @@ PeerSun GrassSun(const oracle::OracleField& field)
         "declination=" + std::to_string(declination),
         "time=" + std::to_string(12.0 + 12.0 * hour / Pi), "--overwrite" });
     std::vector<float> beam = FromNorth(field, location->Take("beam"));
-    // Its day's distance from the sun (Scharmer & Greif 2000), which changes what arrives.
+    // The distance from the sun on that day (Scharmer & Greif 2000), which changes the irradiance.
     const double distance = 1.0 + 0.03344 * std::cos(2.0 * Pi * Day / 365.25 - 0.048869);
     for (float& value : beam)
     {
-      value = std::max(0.0f, value) / static_cast<float>(constant * distance); // Null is below 0
+      value = std::max(0.0f, value) / static_cast<float>(constant * distance); // Null is negative
     }
     return beam;
   };
@@ -189,7 +189,7 @@ std::vector<float> GrassDiffuse(const oracle::OracleField& field, Cost& cost)
   };
   std::vector<float> tilted = run({ "slope=slope", "aspect=aspect" });
   const Cost before = cost;
-  const std::vector<float> level = run({ "slope_value=0" }); // what it is a part of
+  const std::vector<float> level = run({ "slope_value=0" }); // light of a level surface
   cost = before;
   for (std::size_t post = 0; post < tilted.size(); ++post)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What other programs say of a sun's light, each run as its users run it.
+// The light of a sun according to other programs, each run as its users run it.
 #ifndef skyline_PeerSuns_h
 #define skyline_PeerSuns_h
 
@@ -15,27 +15,29 @@ namespace skyline
 namespace benchmark
 {
 
-/// The beam of a point sun on every post, row by row from the south: the cosine of its incidence, 0 in
-/// shadow. Adds what the program took to the cost.
+/// Returns the beam of a point sun at each post, row by row from the south: the cosine of the angle
+/// of incidence, 0 in shadow. Adds the resources that the program used to the cost.
 using PeerSun = std::function<std::vector<float>(const SunAt&, Cost&)>;
 
-/// SAGA's ta_lighting 0, the hillshade with shadows; slopes by central differences, its own.
+/// The hillshade with shadows of SAGA (ta_lighting 0), with SAGA's own slopes from central
+/// differences.
 PeerSun SagaSun(const oracle::OracleField& field);
 
-/// gdaldem hillshade with the slopes of Zevenbergen & Thorne, which are central differences too. It
-/// casts no shadow, and its 254 shades round.
+/// The hillshade of gdaldem with the slopes of Zevenbergen & Thorne, which are central differences
+/// too. It casts no shadows, and is rounded to 254 shades.
 PeerSun GdalSun(const oracle::OracleField& field);
 
-/// r.sunmask of GRASS, which knows lit (1) and dark (0) alone.
+/// r.sunmask of GRASS, which only distinguishes lit (1) and dark (0).
 PeerSun GrassSunMask(const oracle::OracleField& field);
 
-/// Beam irradiance of GRASS r.sun, mode 1, in parts of the extraterrestrial: linke_value=0 leaves no
-/// atmosphere. The place is the equator, with the declination and the hour that put the sun there.
-/// Given are slope and aspect of the very planes that the truth has.
+/// The beam irradiance of GRASS r.sun, mode 1, as a fraction of the extraterrestrial one;
+/// linke_value=0 means no atmosphere. The place is on the equator, and declination and hour are
+/// those that put the sun in the wanted direction. Slope and aspect are those of the reference's
+/// planes.
 PeerSun GrassSun(const oracle::OracleField& field);
 
-/// The sky view factors that r.sun's diffuse light stands for, of every post, row by row from the south:
-/// the sun at the zenith without a beam (coeff_bh 0), which leaves an all but uniform sky.
+/// The sky view factors that the diffuse light of r.sun implies, for each post, row by row from the
+/// south. The sun is at the zenith without a beam (coeff_bh 0), which gives an almost uniform sky.
 std::vector<float> GrassDiffuse(const oracle::OracleField& field, Cost& cost);
 
 } // namespace benchmark

@@ -40,7 +40,7 @@ std::string DescriptionOf(const Session& session, const std::string& scene)
   return found == session.Scenes.end() ? "" : found->second;
 }
 
-// Scenes on which a quantity was measured, in their order.
+// The scenes on which a quantity was measured, in order.
 std::vector<std::string> ScenesOf(const Session& session, const std::string& quantity)
 {
   std::vector<std::string> scenes;
@@ -62,7 +62,7 @@ void WriteCharts(std::ostream& out, const Session& session, const Quantity& quan
   for (const std::string& scene : ScenesOf(session, quantity.Name))
   {
     const std::vector<const Finding*> points = ChartOf(session.Findings, quantity.Name, scene);
-    if (points.size() == 1) // nothing to compare
+    if (points.size() == 1) // nothing to compare with
     {
       alone += (alone.empty() ? "" : "; ") + scene + ": " + points.front()->What.Label;
     }
@@ -79,12 +79,12 @@ void WriteCharts(std::ostream& out, const Session& session, const Quantity& quan
   }
   if (!alone.empty())
   {
-    out << "<p class=\"soft\">One method alone was measured, in the table, on " << Escaped(alone)
+    out << "<p class=\"soft\">Only one method was measured (see the table) on " << Escaped(alone)
         << ".</p>\n";
   }
 }
 
-// How many times quicker more threads are.
+// Writes how much faster several threads are than one.
 void WriteSpeedUp(std::ostream& out, const Session& session)
 {
   for (const Finding& one : session.Findings)
@@ -95,8 +95,8 @@ void WriteSpeedUp(std::ostream& out, const Session& session)
         one.What.Scene == many.What.Scene && one.Found.Ran && many.Found.Ran;
       if (comparable && one.Found.Threads == 1.0 && many.Found.Threads > 1.0)
       {
-        out << "<p>" << Escaped(many.What.Scene) << ": " << Escaped(many.What.Label) << " take "
-            << Short(TimeOf(one) / TimeOf(many)) << " times less than one.</p>\n";
+        out << "<p>" << Escaped(many.What.Scene) << ": " << Escaped(many.What.Label) << " are "
+            << Short(TimeOf(one) / TimeOf(many)) << " times as fast as one.</p>\n";
       }
     }
   }
@@ -154,12 +154,12 @@ void WriteTable(std::ostream& out, const Session& session, const Quantity& quant
   out << "</table></div></details>\n";
 }
 
-// What makes a method quick where it is the quicker.
+// Explains why a published method is fast in the cases in which it is faster than ours.
 const char* WhyQuick(const std::string& kind)
 {
   return kind == "sweep"
-    ? "a sweep visits every edge once, whatever the terrain, where the search has to walk more edges "
-      "the more of them tie"
+    ? "a sweep visits each edge once, whatever the terrain, while the search visits more edges if many "
+      "of them have similar slopes"
     : "the pyramid reads a fixed number of smoothed heights, whatever the terrain";
 }
 
@@ -180,13 +180,13 @@ void WriteExceptions(std::ostream& out, const Session& session, const Quantity& 
   }
   if (exceptions.empty())
   {
-    out << "<p><b>Exact or fast beats sweep and pyramid everywhere here</b>: each of the "
-        << compared
-        << " points of these has one of ours that takes no more time and errs no more.</p>\n";
+    out
+      << "<p><b>Exact or fast beats sweep and pyramid everywhere here</b>: each of the " << compared
+      << " points of these has one of ours that takes no more time and has no greater error.</p>\n";
     return;
   }
   out << "<p>Exact or fast beats sweep and pyramid in " << compared - exceptions.size() << " of "
-      << compared << " points. Not in these:</p><ul>\n";
+      << compared << " points. The exceptions are:</p><ul>\n";
   for (const Exception& exception : exceptions)
   {
     const Finding& paper = *exception.Paper;
@@ -195,26 +195,27 @@ void WriteExceptions(std::ostream& out, const Session& session, const Quantity& 
     if (exception.Nearest)
     {
       const Finding& ours = *exception.Nearest;
-      out << ". The quickest of ours that errs no more, " << Escaped(ours.What.Label) << ", takes "
-          << Short(TimeOf(ours)) << " ns and errs by " << Short(ErrorOf(ours)) << ": "
-          << (exception.Tie ? "a tie, for its quickest run was no slower"
+      out << ". The fastest of ours with no greater error, " << Escaped(ours.What.Label)
+          << ", takes " << Short(TimeOf(ours)) << " ns and has the error " << Short(ErrorOf(ours))
+          << ": "
+          << (exception.Tie ? "a tie, because its fastest run was no slower"
                             : WhyQuick(paper.What.Kind));
     }
     else if (exception.Alike)
     {
-      out << ". Exact with the same settings errs by " << Short(ErrorOf(*exception.Alike))
-          << ": what lies between the azimuths is most of both, and differs by chance";
+      out << ". Exact with the same settings has the error " << Short(ErrorOf(*exception.Alike))
+          << ": most of both errors comes from between the azimuths, and differs by chance";
     }
     else
     {
-      out << ". None of ours that ran errs as little";
+      out << ". None of ours that ran has as small an error";
     }
     out << ".</li>\n";
   }
   out << "</ul>\n";
 }
 
-// Counted from what was measured, over all charts.
+// The summary counts the measurements of all charts.
 void WriteVerdict(std::ostream& out, const Session& session)
 {
   std::size_t compared = 0;
@@ -225,10 +226,11 @@ void WriteVerdict(std::ostream& out, const Session& session)
   const std::size_t exceptions = Exceptions(session.Findings).size();
   if (compared > 0)
   {
-    out << "<p>Exact or fast beats " << compared - exceptions << " of the " << compared
-        << " measurements of sweep and pyramid: it takes no more time there and errs no more. "
-        << (exceptions > 0 ? "The others stand above their charts, each with its reason." : "")
-        << "</p>\n";
+    out
+      << "<p>Exact or fast beats " << compared - exceptions << " of the " << compared
+      << " measurements of sweep and pyramid: it takes no more time there and has no greater error. "
+      << (exceptions > 0 ? "The others are listed above their charts, each with its reason." : "")
+      << "</p>\n";
   }
 }
 
@@ -239,7 +241,7 @@ void WriteSummary(std::ostream& out, const Session& session)
   {
     return;
   }
-  out << "<h2>In short</h2>\n";
+  out << "<h2>Summary</h2>\n";
   WriteVerdict(out, session);
   out << "<div class=\"wide\"><table><tr><th class=\"w\">times faster, CPU</th>";
   std::vector<std::string> scenes, names;
@@ -279,30 +281,35 @@ const char* Explanation(const std::string& quantity)
 {
   static const std::map<std::string, const char*> texts{
     { "horizon",
-      "The horizon of a post in an azimuth against every crossed edge in double precision. The dashed "
-      "line is the front: nothing that was measured is both quicker and more exact than a point on "
-      "it." },
+      "The horizon of a post in an azimuth, compared with a search of each crossed edge in double "
+      "precision. The dashed line is the front: no measured method is both faster and more exact "
+      "than a point on it." },
     { "sky",
-      "Against 360 exact horizons a post. The number at a label is that of azimuths (of SAGA: "
-      "sectors): few azimuths limit every method alike, so the horizon's own error shows only where "
-      "they are many." },
+      "Compared with 360 exact horizons per post. The number in a label is that of azimuths (of "
+      "SAGA: sectors). A small number of azimuths limits all methods alike, so that the error of the "
+      "horizons shows only if there are many." },
     { "irradiance",
-      "Against every column of the light map above 360 exact horizons. SH: harmonics of so many "
-      "bands, which blur light but light again at once; the others are tables, with their azimuths." },
+      "Compared with each column of the light map above 360 exact horizons. SH: spherical harmonics "
+      "with that number of bands, which blur light, but allow another light at once. The others are "
+      "light tables with that number of azimuths." },
     { "sun",
-      "Three suns, 10 to 35 degrees high, over a square in the middle of the scene: posts that are lit "
-      "where the truth is dark, or the reverse. SSIM, in the table, compares the shaded pictures." },
+      "Three suns, 10 to 35 degrees high, above a square in the middle of the scene. Posts on the "
+      "wrong side are lit but dark in the reference, or the reverse. SSIM, in the table, compares the "
+      "shaded pictures." },
     { "beam",
-      "The same suns and square: the cosine of the sun's incidence where it is seen, without an "
-      "atmosphere. GRASS r.sun runs with linke_value=0, which has none either, and gets our slopes; "
-      "SAGA and gdaldem find theirs, by the same differences; gdaldem knows no shadow." },
+      "The same suns and square: the cosine of the angle of incidence where the sun is visible, "
+      "without an atmosphere. GRASS r.sun runs with linke_value=0, also without an atmosphere, and "
+      "with our slopes. SAGA and gdaldem compute theirs from the same differences. gdaldem casts no "
+      "shadows." },
     { "lamp",
-      "A ball above the middle of the scene, against 1024 rays a post at the triangles, in double precision. Embree casts as many rays as its label says, others than the truth's, and is timed for those posts alone." },
+      "A ball above the middle of the scene, compared with 1024 rays per post at the triangles, in "
+      "double precision. Embree casts the number of rays in its label, which are not those of the "
+      "reference, and is timed for the compared posts only." },
     { "frame",
-      "Each frame has new heights, and nothing of the last one is used; \"new light alone\" in the "
-      "table is the same frame when only the light has moved." },
+      "Each frame has new heights and uses nothing of the previous one; \"new light alone\" in the "
+      "table is the same frame after a change of the light only." },
     { "threads",
-      "The same work with more threads; wall time, which other work on the machine slows." }
+      "The same work with more threads. Wall time depends on other work on the machine." }
   };
   const auto text = texts.find(quantity);
   return text == texts.end() ? "" : text->second;
@@ -364,14 +371,17 @@ std::string ReportPage(const Session& session, const ReportOrigin& origin)
   WriteNotMeasured(out, session);
   out
     << "<h2>How it was measured</h2>\n<ul>\n"
-       "<li>Every measurement is a process of its own. Times are CPU time of one thread, the median "
-       "of the runs; the first run of a process is the cold one. The graphics processor's times, and "
-       "those of threads, are wall time. Another program's times include its start and its files.</li>\n"
-       "<li>Errors are found less true. 99.9 %: so many of the absolute errors are no greater. Posts "
-       "are drawn by lot from those with a cell on all four sides; every scene is flat, and its "
-       "surface the triangles that VTK draws.</li>\n"
-       "<li>Peak memory is beyond the heights that are given; of another program all that it takes.</li>\n"
-       "<li>Runs on a busy machine scatter: compare within a page, and look at the load "
+       "<li>Each measurement runs in a separate process. Times are CPU time of one thread and the "
+       "median of the runs; the first run includes cold caches. Times of the graphics processor and "
+       "of several threads are wall time. Times of other programs include their start and their "
+       "files.</li>\n"
+       "<li>An error is the result minus the reference value. 99.9 % of the absolute errors are no "
+       "greater than the value in that column. The posts are drawn at random from those with a cell "
+       "on all four sides. Each scene is flat, and its surface is the triangles that VTK "
+       "draws.</li>\n"
+       "<li>Peak memory does not include the given heights; for other programs it is all that they "
+       "use.</li>\n"
+       "<li>Times vary on a busy machine: compare only within a page, and consider the load "
        "above.</li>\n</ul>\n</body></html>\n";
   return out.str();
 }

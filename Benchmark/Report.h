@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A session as one page, as a table and for machines.
+// Writes a session as a page, as a table and as JSON.
 #ifndef skyline_Report_h
 #define skyline_Report_h
 
@@ -16,23 +16,24 @@ namespace benchmark
 struct ReportOrigin
 {
   std::string Program; ///< name and version, "skyline 0.2.0"
-  std::string Command; ///< as typed
+  std::string Command; ///< the command as typed
 };
 
-/// HTML that needs nothing else: charts, what they say, every figure, how it was measured.
+/// An HTML page without external files: charts, conclusions, all figures, and how they were
+/// measured.
 std::string ReportPage(const Session& session, const ReportOrigin& origin);
 
-/// A line a finding, all digits, empty where nothing was measured.
+/// A table with one line per finding and all digits. Values that were not measured are empty.
 std::string ReportCsv(const Session& session);
 
-/// The same with the machine, the scenes, what was left out and the ratios.
+/// JSON with the same figures, the machine, the scenes, the omitted measurements and the ratios.
 std::string ReportJson(const Session& session, const ReportOrigin& origin);
 
-/// The main chart as a picture of its own: horizons on "hills", else on the first scene that has
-/// them. Empty if no horizons were measured.
+/// The main chart as a separate picture: horizons on "hills", or on the first scene that has them.
+/// Empty if no horizons were measured.
 std::string ReportPicture(const Session& session);
 
-/// JSON text, quoted.
+/// The text as a quoted JSON string.
 std::string JsonText(const std::string& text);
 
 } // namespace benchmark

@@ -16,7 +16,7 @@ namespace benchmark
 namespace
 {
 
-using Places = std::map<std::string, std::vector<std::string>>; // what, where
+using Places = std::map<std::string, std::vector<std::string>>; // for each method, its scenes
 
 std::string Joined(const std::vector<std::string>& words)
 {
@@ -96,10 +96,10 @@ void WriteHowMuch(std::ostream& out, const Session& session)
     return;
   }
   out << "<p><b>" << session.Findings.size() << " of "
-      << session.Findings.size() + session.LeftOut.size() << " measurements fitted into "
+      << session.Findings.size() + session.LeftOut.size() << " measurements were made within "
       << Short(session.Budget)
       << " s.</b> What is missing is listed under <a href=\"#missing\">Not "
-      << "measured</a>; at the pace of this run <code>--budget " << BudgetForAll(session)
+      << "measured</a>; at the speed of this run <code>--budget " << BudgetForAll(session)
       << "</code> makes all of them.</p>\n";
 }
 
@@ -117,18 +117,19 @@ void WriteNotMeasured(std::ostream& out, const Session& session)
   out << "<h2 id=\"missing\">Not measured</h2>\n";
   if (failed)
   {
-    out << "<p>Tried, without a result:</p><ul>\n";
+    out << "<p>These gave no result:</p><ul>\n";
     WriteFailed(out, session);
     out << "</ul>\n";
   }
   if (!session.LeftOut.empty())
   {
-    out << "<p>For want of time " << session.LeftOut.size()
-        << " measurements. The last column measures one quantity alone, all of them need about "
+    out << "<p>There was no time for " << session.LeftOut.size()
+        << " measurements. The option in the last column measures one quantity alone; all of them "
+        << "need about "
         << "<code>--budget " << BudgetForAll(session)
-        << "</code>; <code>--scenes</code> and <code>--methods</code> pick too.</p>\n"
+        << "</code>. <code>--scenes</code> and <code>--methods</code> also select.</p>\n"
         << "<div class=\"wide\"><table><tr><th class=\"w\">what</th><th>missing</th>"
-        << "<th class=\"w\">methods (scenes)</th><th class=\"w\">to get it</th></tr>\n";
+        << "<th class=\"w\">methods (scenes)</th><th class=\"w\">option</th></tr>\n";
     WriteLeftOut(out, session);
     out << "</table></div>\n";
   }

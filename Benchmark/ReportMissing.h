@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a session did not measure, why, and how to get it.
+// What a session did not measure, the reasons, and how to measure it.
 #ifndef skyline_ReportMissing_h
 #define skyline_ReportMissing_h
 
@@ -12,14 +12,15 @@ namespace skyline
 namespace benchmark
 {
 
-/// A budget, whole minutes in seconds, within which a run like this one should end: at this run's pace.
+/// A budget in seconds (whole minutes) in which a complete run should end at the speed of this one.
 double BudgetForAll(const Session& session);
 
-/// One paragraph for the top of a page: how much was measured. Nothing if all was.
+/// Writes one paragraph for the top of the page that says how much was measured. Writes nothing if
+/// all was.
 void WriteHowMuch(std::ostream& out, const Session& session);
 
-/// The chapter "Not measured": what failed or is not installed, with the reason, and what time was too
-/// short for. Nothing if all was measured.
+/// Writes the chapter "Not measured": what failed or is not installed, with the reason, and what
+/// there was no time for. Writes nothing if all was measured.
 void WriteNotMeasured(std::ostream& out, const Session& session);
 
 } // namespace benchmark

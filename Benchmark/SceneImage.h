@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The height field of a scene as a filter takes it.
+// The height field of a scene as the input of a filter.
 #ifndef skyline_SceneImage_h
 #define skyline_SceneImage_h
 
@@ -17,14 +17,15 @@ namespace skyline
 namespace benchmark
 {
 
-/// One scalar array "Elevation", float, metres; flat: no georeference.
+/// An image with one scalar array "Elevation" (float, metres) and no georeference.
 vtkSmartPointer<vtkImageData> ImageOf(const oracle::OracleField& field);
 
-/// The heights of an image that has changed: every filter behind it has to run again.
+/// Replaces the heights of an image, so that each downstream filter must run again.
 void SetHeights(vtkImageData* image, const oracle::OracleField& field);
 
-/// Changes the heights as little as can be, so that every filter behind them has to run again: one
-/// post rises by a float's smallest step (filters may compare heights, not times).
+/// Changes the heights as little as possible, so that each downstream filter must run again: one
+/// post rises by the smallest step of a float (filters may compare heights, not modification
+/// times).
 void Touch(vtkImageData* image);
 
 } // namespace benchmark

@@ -51,7 +51,7 @@ Scene Fractal(const std::string& name, std::ptrdiff_t size, double roughness)
 
 Scene Walls(std::ptrdiff_t size)
 {
-  // 3000 boxes on a thousand posts squared, as many for the area on any other size.
+  // 3000 boxes on 1024 x 1024 posts, and the same density on any other size.
   const double part = static_cast<double>(size) / 1024.0;
   const auto count = std::max<std::ptrdiff_t>(1, std::lround(3000.0 * part * part));
   Scene scene{ "walls", "", shapes::RandomBoxes(size, size, 1.0, count, 40, 60.0, 1) };
@@ -60,7 +60,7 @@ Scene Walls(std::ptrdiff_t size)
   return scene;
 }
 
-// Keeps the first reason of a failure, and VTK from printing all of them.
+// Stores the first reason of a failure, and prevents VTK from printing the messages.
 void KeepReason(vtkObject*, unsigned long, void* reason, void* message)
 {
   auto& text = *static_cast<std::string*>(reason);
@@ -107,7 +107,7 @@ Scene FromRaster(const std::string& name, const std::string& file)
   return scene;
 }
 
-// A bundled DEM beside the program, installed or not; else where it was built.
+// The path of a DEM that is delivered with the program, whether installed or in the build tree.
 std::string BundledDem(const std::string& file)
 {
   namespace fs = std::filesystem;

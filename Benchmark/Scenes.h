@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The height fields that the benchmark runs on.
+// The height fields of the benchmark.
 #ifndef skyline_Scenes_h
 #define skyline_Scenes_h
 
@@ -18,20 +18,20 @@ struct Scene
 {
   std::string Name;
   std::string Description;
-  oracle::OracleField Field; ///< flat: no method here is asked to bend the body
+  oracle::OracleField Field; ///< flat, because not all methods can take curvature into account
 };
 
-/// Names of the scenes that need no file from the user.
+/// Names of the scenes that need no file of the user.
 const std::vector<std::string>& SceneNames();
 
-/// Greatest side of a raster; of a larger one its middle counts.
+/// The greatest side of a raster, in posts. Of a larger raster only the middle is used.
 constexpr std::ptrdiff_t LargestSide = 2048;
 
-/// A scene of SceneNames() with size x size posts (helens and lidar have their own size), or any raster that
-/// GDAL opens. std::runtime_error with a one-line reason.
+/// Makes a scene of SceneNames() with size x size posts (helens and lidar have their own sizes), or
+/// reads any raster that GDAL opens. Throws std::runtime_error with a one-line reason.
 Scene MakeScene(const std::string& nameOrFile, std::ptrdiff_t size);
 
-/// Hills under travelling waves, 0 <= time: seconds. "moving" is the one at time 0.
+/// Hills with travelling waves at a time in seconds, 0 or more. The scene "moving" is at time 0.
 oracle::OracleField MovingTerrain(std::ptrdiff_t size, double time);
 
 } // namespace benchmark

@@ -22,7 +22,7 @@ namespace benchmark
 namespace
 {
 
-constexpr double LeastLimit = 10.0; // seconds that any measurement may take
+constexpr double LeastLimit = 10.0; // seconds that each measurement may take at least
 
 bool IsAmong(const std::string& name, const std::vector<std::string>& names)
 {
@@ -40,19 +40,19 @@ std::vector<StagePointer> MakeStages(const SessionOptions& options, const WantsT
     made.Name += named ? " " + std::to_string(size) : "";
     for (int copy = 2; std::any_of(stages.begin(), stages.end(),
            [&](const StagePointer& stage) { return stage->Scene.Name == made.Name; });
-         ++copy) // two files of one name
+         ++copy) // for files with the same name
     {
       made.Name = made.Name.substr(0, made.Name.find(" #")) + " #" + std::to_string(copy);
     }
     stages.push_back(std::make_shared<Stage>(std::move(made), effort, stop));
   };
-  for (const std::string& file : options.Rasters) // what the user brings comes first
+  for (const std::string& file : options.Rasters) // rasters of the user come first
   {
     add(file, 0, false);
   }
   for (const std::string& scene : options.Scenes)
   {
-    if (scene == "helens") // has its own size
+    if (scene == "helens") // this scene has its own size
     {
       add(scene, 0, false);
       continue;
@@ -65,7 +65,8 @@ std::vector<StagePointer> MakeStages(const SessionOptions& options, const WantsT
   return stages;
 }
 
-// A child that is killed leaves its files: they lie in a folder of ours, which goes with us.
+// A killed child leaves its temporary files behind. They lie in this folder, which is removed at
+// the end.
 class TemporaryFiles
 {
 public:
@@ -94,7 +95,7 @@ private:
   std::string Before;
 };
 
-// Measures in a child, which is ended when it takes too long for the budget.
+// Measures in a child process, which is ended if it takes too long for the budget.
 Result MeasureWithin(
   double seconds, const std::function<Result()>& measure, const WantsToStop& stop)
 {
@@ -109,8 +110,7 @@ Result MeasureWithin(
   if (late && !result.Ran)
   {
     std::snprintf(result.Reason, sizeof result.Reason,
-      "ended after %.0f s, more than a quarter of the budget; a greater --budget gives it time",
-      seconds);
+      "ended after %.0f s, more than a quarter of the budget; use a greater --budget", seconds);
   }
   return result;
 }
@@ -126,7 +126,7 @@ std::vector<Job> MakeJobs(const SessionOptions& options, const std::vector<Stage
   for (std::size_t k = 0; k < stages.size(); ++k)
   {
     const StagePointer& stage = stages[k];
-    // Light is measured on few of the made scenes: it repeats what horizons say.
+    // Light is measured on a few scenes only, because its errors follow those of the horizons.
     const bool main = k < options.Rasters.size() || begins(stage, { "hills", "helens", "lidar" });
     const bool only = stages.size() == 1;
     const std::size_t before = jobs.size();
@@ -147,7 +147,7 @@ std::vector<Job> MakeJobs(const SessionOptions& options, const std::vector<Stage
     {
       AddThreadJobs(jobs, stage);
     }
-    // The main setting of every method comes before further values of a parameter on any scene.
+    // The main setting of each method comes before further values of a parameter on any scene.
     const bool first = k < options.Rasters.size() || begins(stage, { "hills" });
     const int later = first ? 0 : main ? 1 : 2;
     for (std::size_t j = before; j < jobs.size(); ++j)
@@ -166,7 +166,7 @@ std::vector<Job> MakeJobs(const SessionOptions& options, const std::vector<Stage
   jobs.erase(
     std::remove_if(jobs.begin(), jobs.end(), [&](const Job& job) { return !wanted(job.What); }),
     jobs.end());
-  // Chart by chart within a turn: one method alone says little.
+  // Within a turn, measure chart by chart, because one method alone tells little.
   const auto place = [&](const Task& task)
   {
     const auto quantity = std::find_if(Quantities().begin(), Quantities().end(),
@@ -200,7 +200,7 @@ Session RunSession(const SessionOptions& options, const Tell& tell, const WantsT
       "chosen on these scenes; leave out --methods, --quantities or --scenes");
   }
   const TemporaryFiles files;
-  const double longest = std::max(LeastLimit, 0.25 * options.Budget); // of one measurement
+  const double longest = std::max(LeastLimit, 0.25 * options.Budget); // limit for one measurement
   for (std::size_t k = 0; k < jobs.size() && !stopped(); ++k)
   {
     const Job& job = jobs[k];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How alike two pictures look.
+// How similar two pictures look.
 #ifndef skyline_Similarity_h
 #define skyline_Similarity_h
 
@@ -11,9 +11,10 @@ namespace skyline
 namespace benchmark
 {
 
-/// The mean structural similarity (Wang, Bovik, Sheikh & Simoncelli 2004, equation 13, with their
-/// constants) of two grey pictures of side x side values from 0 to 1, over even windows of 8 x 8
-/// pixels, every fourth. 1: alike. side: 8 or more.
+/// The mean structural similarity (SSIM; Wang, Bovik, Sheikh & Simoncelli 2004, equation 13, with
+/// their constants) of two grey pictures of side x side values from 0 to 1. The windows of 8 x 8
+/// pixels have equal weights and begin at every fourth pixel. 1 means identical. `side` must be 8
+/// or more.
 inline double StructuralSimilarity(
   const std::vector<double>& a, const std::vector<double>& b, std::ptrdiff_t side)
 {

@@ -20,11 +20,11 @@ namespace
 {
 
 constexpr std::uint64_t Seed = 1;
-constexpr int SkySteps = 200;        // elevations of the truth of the sky view
-constexpr int LampSide = 32;         // rays of the truth of a lamp, squared
-constexpr std::ptrdiff_t Side = 128; // of the window of the suns
+constexpr int SkySteps = 200;        // elevations of the reference of the sky view
+constexpr int LampSide = 32;         // rays of the reference of a lamp, squared
+constexpr std::ptrdiff_t Side = 128; // side of the window for suns
 
-// A horizon between the azimuths of a truth, linear in elevation; radians.
+// The horizon between two azimuths of a reference, interpolated linearly in elevation; radians.
 double HorizonAt(const Truth& truth, std::size_t post, double azimuth)
 {
   const auto count = static_cast<double>(truth.Azimuths.size());
@@ -186,7 +186,7 @@ const LightTruth& Stage::LampLight()
 {
   if (!this->Lit)
   {
-    const Truth& truth = this->Horizons(); // for its posts, drawn by lot
+    const Truth& truth = this->Horizons(); // for its posts, drawn at random
     this->Lit = std::make_unique<LightTruth>();
     this->Lit->Posts.assign(truth.Posts.begin(),
       truth.Posts.begin() + std::min<std::ptrdiff_t>(this->Work.SkyPosts, this->Work.Posts));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene with the truths that measurements on it are compared with, each found when first asked for.
+// A scene with the reference values for its measurements, each computed when it is first used.
 #ifndef skyline_Stage_h
 #define skyline_Stage_h
 
@@ -18,31 +18,32 @@ namespace benchmark
 /// How much work is done for a scene.
 struct Effort
 {
-  std::ptrdiff_t Size = 384; ///< posts of a side of the made scenes
-  int Azimuths = 32;         ///< of horizons
-  int Posts = 1024;          ///< whose horizons are compared
-  int SkyPosts = 96;         ///< whose light is compared
-  int SkyAzimuths = 360;     ///< of the truth of their light
-  int Repeats = 5;           ///< of every time, fewer of slow ones
-  double Seconds = 0.35;     ///< after which no repeat begins
+  std::ptrdiff_t Size = 384; ///< side of the made scenes, in posts
+  int Azimuths = 32;         ///< azimuths of the horizons
+  int Posts = 1024;          ///< posts whose horizons are compared
+  int SkyPosts = 96;         ///< posts whose light is compared
+  int SkyAzimuths = 360;     ///< azimuths of the reference of their light
+  int Repeats = 5;           ///< repeats of each measurement, fewer for slow ones
+  double Seconds = 0.35;     ///< after this many seconds no repeat begins
 };
 
-/// A sun, degrees clockwise from grid north and above the horizontal plane.
+/// A sun: degrees clockwise from grid north, and degrees above the horizontal plane.
 struct SunAt
 {
   double Azimuth, Elevation;
 };
 
-/// Off the axes and diagonals, low to high, and where r.sun accepts the declination at the equator.
+/// The suns avoid axes and diagonals, stand low and high, and have declinations that r.sun accepts
+/// at the equator.
 constexpr std::array<SunAt, 3> Suns{ { { 100.0, 10.0 }, { 250.0, 20.0 }, { 77.0, 35.0 } } };
 
-/// A lamp: x, y in metres from post (0, 0), z as the heights.
+/// A lamp: x and y in metres from post (0, 0), z as the heights.
 struct LampAt
 {
   double X, Y, Z, Radius;
 };
 
-/// Light of the truth of some posts: RGB together.
+/// The reference irradiance of some posts, with red, green and blue for each.
 struct LightTruth
 {
   std::vector<std::ptrdiff_t> Posts;
@@ -63,14 +64,14 @@ public:
   const Truth& DenseHorizons(); ///< Effort::SkyPosts posts, Effort::SkyAzimuths azimuths
   /// Sky view factors of the posts of DenseHorizons.
   const std::vector<double>& SkyView();
-  /// Irradiance of them under the sky of ClearSky (Light.h).
+  /// Irradiance of the same posts under the sky of ClearSky.h.
   const LightTruth& ClearSky();
 
-  /// A square in the middle of the scene, posts row by row, and who of them sees each sun.
+  /// Horizons towards each sun for a square in the middle of the scene, row by row.
   const Truth& SunHorizons();
   std::ptrdiff_t WindowSide() const;
 
-  LampAt Lamp() const; ///< above the middle
+  LampAt Lamp() const; ///< above the middle of the scene
   const LightTruth& LampLight();
 
 private:

@@ -32,7 +32,7 @@ namespace
 
 using Kind = SunScore::Kind;
 
-// A filter of ours for all suns: set(sun) turns its light, value(post) reads its output.
+// Measures one of our filters for all suns. set(sun) sets its light, value(post) reads its output.
 Result MeasureSuns(Stage& stage, Kind kind, vtkAlgorithm* filter,
   const std::function<void(const SunAt&)>& set, const SunOf& value)
 {
@@ -137,7 +137,7 @@ Result MeasureDeviceShadowHeight(Stage& stage)
   return result;
 }
 
-// One run of another program for each sun.
+// Measures another program, which runs once for each sun.
 Result MeasurePeer(Stage& stage, Kind kind, PeerSun (*make)(const oracle::OracleField& field))
 {
   const oracle::OracleField& field = stage.Scene.Field;
@@ -158,7 +158,7 @@ Result MeasurePeer(Stage& stage, Kind kind, PeerSun (*make)(const oracle::Oracle
   return result;
 }
 
-// Adds jobs of a quantity whose truth is the horizons towards the suns.
+// Returns a function that adds jobs of a quantity whose reference is the horizons towards the suns.
 auto Adder(std::vector<Job>& jobs, const StagePointer& stage, const char* quantity)
 {
   return [&jobs, stage, quantity](const char* kind, const char* label, const char* settings,
@@ -177,7 +177,7 @@ void AddSunJobs(std::vector<Job>& jobs, const StagePointer& stage)
   const auto add = Adder(jobs, stage, "sun");
   for (const auto& search : Searches)
   {
-    add(search.Name, search.Name, "a point sun, its one azimuth", MainTurn,
+    add(search.Name, search.Name, "a point sun, one azimuth", MainTurn,
       [stage, method = search.Method] { return MeasureShadow(*stage, method); });
   }
   const auto shadowHeight = [stage](int method)
@@ -187,13 +187,13 @@ void AddSunJobs(std::vector<Job>& jobs, const StagePointer& stage)
   };
   add("shadow-height", "shadow height", "exact", MainTurn,
     [shadowHeight] { return shadowHeight(vtkHeightFieldAlgorithm::EXACT); });
-  add("gdaldem", "gdaldem hillshade", "slopes alone, casts no shadow; start and files included",
+  add("gdaldem", "gdaldem hillshade", "slopes only, casts no shadow; with start and files",
     PeerTurn, [stage] { return MeasurePeer(*stage, Kind::Lit, GdalSun); });
-  add("saga", "SAGA hillshade", "ta_lighting 0, with shadows, one thread; start and files included",
+  add("saga", "SAGA hillshade", "ta_lighting 0, with shadows, one thread; with start and files",
     PeerTurn, [stage] { return MeasurePeer(*stage, Kind::Lit, SagaSun); });
-  add("grass", "GRASS r.sunmask", "-z; start and files included", LastTurn,
+  add("grass", "GRASS r.sunmask", "-z; with start and files", LastTurn,
     [stage] { return MeasurePeer(*stage, Kind::Lit, GrassSunMask); });
-  add("embree", "Embree", "one occlusion ray a post and sun", PeerTurn,
+  add("embree", "Embree", "one occlusion ray per post and sun", PeerTurn,
     [stage] { return MeasureEmbreeSun(*stage, Kind::Lit); });
   add("shadow-height", "shadow height, sweep", "Lee & Kim's recurrence as published", PeerTurn,
     [shadowHeight] { return shadowHeight(vtkHeightFieldAlgorithm::SWEEP); });
@@ -210,14 +210,14 @@ void AddBeamJobs(std::vector<Job>& jobs, const StagePointer& stage)
       [stage, method = search.Method] { return MeasureBeam(*stage, method); });
   }
   add("grass", "GRASS r.sun",
-    "beam_rad, mode 1, linke_value=0 (no atmosphere), our slopes; start and files included",
-    PeerTurn, [stage] { return MeasurePeer(*stage, Kind::Beam, GrassSun); });
-  add("saga", "SAGA hillshade", "ta_lighting 0, with shadows, one thread; start and files included",
+    "beam_rad, mode 1, linke_value=0 (no atmosphere), our slopes; with start and files", PeerTurn,
+    [stage] { return MeasurePeer(*stage, Kind::Beam, GrassSun); });
+  add("saga", "SAGA hillshade", "ta_lighting 0, with shadows, one thread; with start and files",
     PeerTurn, [stage] { return MeasurePeer(*stage, Kind::Beam, SagaSun); });
   add("gdaldem", "gdaldem hillshade",
-    "ZevenbergenThorne, casts no shadow, 254 shades; start and files included", PeerTurn,
+    "ZevenbergenThorne, casts no shadow, 254 shades; with start and files", PeerTurn,
     [stage] { return MeasurePeer(*stage, Kind::Beam, GdalSun); });
-  add("embree", "Embree", "one occlusion ray a post and sun, then the cosine", PeerTurn,
+  add("embree", "Embree", "one occlusion ray per post and sun, then the cosine", PeerTurn,
     [stage] { return MeasureEmbreeSun(*stage, Kind::Beam); });
 }
 

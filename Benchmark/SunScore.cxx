@@ -46,7 +46,7 @@ void SunScore::Add(std::size_t sun, const SunOf& found)
       this->Wrong += (picture.back() > 0.0) == (rightPicture.back() > 0.0) ? 0.0 : 1.0;
       continue;
     }
-    const double shade = 0.2 + 0.8 * incidence; // what turns away still shows where shadows lie
+    const double shade = 0.2 + 0.8 * incidence; // never black, so that shadows show
     picture.push_back(value > 0.0 ? shade : 0.0);
     rightPicture.push_back(isLit ? shade : 0.0);
     this->Wrong += (value > 0.0) == isLit ? 0.0 : 1.0;

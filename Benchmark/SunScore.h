@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How well a method tells the light of point suns in the window of a stage.
+// Compares the light of point suns with the reference, in the window of a stage.
 #ifndef skyline_SunScore_h
 #define skyline_SunScore_h
 
@@ -15,16 +15,17 @@ namespace skyline
 namespace benchmark
 {
 
-/// What a method says of a post (of the whole scene, row by row from the south).
+/// The result of a method at a post (of the whole scene, row by row from the south).
 using SunOf = std::function<double(std::size_t post)>;
 
-/// Collects the suns one by one; edges of the data, of which no truth is known, are left out.
+/// Collects the results for one sun after the other. The edges of the data have no reference and
+/// are left out.
 class SunScore
 {
 public:
   enum class Kind
   {
-    Lit, ///< above 0: lit. Counts posts on the wrong side
+    Lit, ///< above 0 means lit. Counts posts on the wrong side
     Beam ///< the cosine of incidence, 0 in shadow. Errors in % of the mean
   };
 
@@ -32,11 +33,11 @@ public:
 
   void Add(std::size_t sun, const SunOf& found);
 
-  /// Errors, wrong posts and the likeness of the shaded pictures.
+  /// Fills in the errors, the wrong posts and the similarity of the shaded pictures.
   void Report(Result& result) const;
 
 private:
-  double Incidence(std::ptrdiff_t post, const SunAt& sun) const; // cosine, 0 or more
+  double Incidence(std::ptrdiff_t post, const SunAt& sun) const; // cosine of the angle, at least 0
 
   const oracle::OracleField& Field;
   const Truth& Right;

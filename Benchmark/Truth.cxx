@@ -61,7 +61,7 @@ void Truth::Find(const oracle::OracleField& field, const WantsToStop& stop)
 {
   const std::size_t count = this->Posts.size();
   this->Elevations.resize(this->Azimuths.size() * count);
-  constexpr std::size_t part = 64; // posts at a time
+  constexpr std::size_t part = 64; // number of posts in one piece of work
   const std::size_t parts = (count + part - 1) / part;
   ForAll(
     this->Azimuths.size() * parts,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A random sample of horizons by the double-precision oracle, and errors against it.
+// Reference horizons of randomly chosen posts from the double-precision oracle, and errors against
+// them.
 #ifndef skyline_Truth_h
 #define skyline_Truth_h
 
@@ -20,19 +21,20 @@ namespace benchmark
 class Truth
 {
 public:
-  /// posts: how many, drawn with the seed from those with four complete cells around them: along
-  /// the very edge of the data it is a matter of convention what a ray meets. azimuths: degrees.
+  /// `posts`: the number of posts. They are drawn at random, with `seed`, from those with four
+  /// complete cells around them, because it is a matter of convention what a ray meets along the
+  /// edge of the data. `azimuths`: degrees.
   Truth(const Scene& scene, std::ptrdiff_t posts, std::vector<double> azimuths, std::uint64_t seed,
     const WantsToStop& stop = {});
 
-  /// The same for given posts.
+  /// The same for the given posts.
   Truth(const Scene& scene, std::vector<std::ptrdiff_t> posts, std::vector<double> azimuths,
     const WantsToStop& stop = {});
 
   std::vector<double> Azimuths;      ///< degrees clockwise from grid north
   std::vector<std::ptrdiff_t> Posts; ///< row * columns + column
 
-  /// Degrees of elevation, -90 where no terrain lies.
+  /// The elevation of the horizon in degrees, -90 if there is no terrain in that direction.
   double Elevation(std::size_t azimuth, std::size_t post) const
   {
     return this->Elevations[azimuth * this->Posts.size() + post];
@@ -44,12 +46,12 @@ private:
   std::vector<double> Elevations;
 };
 
-/// Collects differences of elevations.
+/// Collects differences and computes the errors.
 class ErrorSum
 {
 public:
   void Add(double found, double right) { this->Differences.push_back(found - right); }
-  Errors Get() const; ///< not finite differences make not finite errors
+  Errors Get() const; ///< a difference that is not finite makes the errors not finite
 
 private:
   std::vector<double> Differences;

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# find_package(Skyline): the config file beside the targets that vtk_module_build exports.
+# For find_package(Skyline): installs the config file beside the targets that vtk_module_build
+# exports.
 include(CMakePackageConfigHelpers)
 
 set(config "${CMAKE_BINARY_DIR}/${skyline_cmake_destination}/SkylineConfig")

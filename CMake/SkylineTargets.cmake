@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What every target of Skyline has in common, in one place.
+# What all targets of Skyline have in common.
 set(_skyline_symbols "${CMAKE_CURRENT_LIST_DIR}/SkylineSymbols.map")
 
 # skyline_compile_options(<target>): warnings, hidden symbols (what other libraries need is exported by
@@ -21,7 +21,7 @@ function (skyline_compile_options target)
     $<$<AND:$<BOOL:${SKYLINE_WERROR}>,$<COMPILE_LANGUAGE:CXX>>:-Werror>)
 endfunction ()
 
-# skyline_pkg_config(<package>): the library of Debian's pkg-config file as PkgConfig::<package>.
+# skyline_pkg_config(<package>): makes the target PkgConfig::<package> from a pkg-config file.
 macro (skyline_pkg_config package)
   find_package(PkgConfig REQUIRED)
   pkg_check_modules(${package} REQUIRED IMPORTED_TARGET ${package})

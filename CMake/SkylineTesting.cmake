@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Functions that add tests. Every test carries its room as label: `ctest --preset default -L Sun`.
+# Functions that add tests. Each test has its folder as a label: `ctest --preset default -L Sun`.
 include(GoogleTest)
 include("${CMAKE_CURRENT_LIST_DIR}/SkylineTargets.cmake")
 
 # skyline_add_gtest(<Name> <source>... [LIBRARIES <target>...] [LABELS <label>...] [SERIAL])
 #   Builds a GoogleTest program (with GoogleTest's main) and adds each of its tests to ctest.
 #   In Testing/Module/Sun:  skyline_add_gtest(TestSunPosition TestSunPosition.cxx)
-#   Links SkylineReference and the core; name more with LIBRARIES. SERIAL: runs alone (timings).
-#   SKYLINE_TEST_DATA (Testing/Data) and SKYLINE_TEST_OUTPUT (a folder to write in) are strings.
+#   Links SkylineReference and the core; LIBRARIES adds more. SERIAL: it runs alone (for timings).
+#   Defines the strings SKYLINE_TEST_DATA (Testing/Data) and SKYLINE_TEST_OUTPUT (an output folder).
 function (skyline_add_gtest name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "SERIAL" "" "LIBRARIES;LABELS")
   get_filename_component(room "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
@@ -28,7 +28,7 @@ function (skyline_add_gtest name)
   endif ()
   gtest_discover_tests(${name}
     TEST_PREFIX "${room}."
-    NO_PRETTY_VALUES # the names that the test gives its parameters, not their bytes
+    NO_PRETTY_VALUES # show the names that the test gives its parameters
     DISCOVERY_MODE PRE_TEST
     DISCOVERY_TIMEOUT 120
     WORKING_DIRECTORY "${output}"
@@ -36,7 +36,8 @@ function (skyline_add_gtest name)
 endfunction ()
 
 # skyline_add_python_test(<Name> <script> [<argument>...])
-#   Runs a Python script (a path from here) that can `import skyline` from the build tree.
+#   Runs a Python script (a path relative to this folder) that can `import skyline` from the build
+#   tree.
 function (skyline_add_python_test name script)
   get_filename_component(room "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
   get_filename_component(script "${script}" ABSOLUTE)
@@ -48,8 +49,8 @@ function (skyline_add_python_test name script)
 endfunction ()
 
 # skyline_add_program_tests(<Name>...)
-#   Runs the Python script <Name>.py with the built program and the folder of data; skipped, by the exit
-#   code 77, where GDAL's Python module is not installed.
+#   Runs the Python script <Name>.py with the built program and the folder of test data. Exit code
+#   77 means that the test is skipped, because GDAL's Python module is not installed.
 function (skyline_add_program_tests)
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
   get_filename_component(room "${CMAKE_CURRENT_SOURCE_DIR}" NAME)

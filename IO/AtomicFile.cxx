@@ -25,19 +25,22 @@ namespace skyline
 namespace
 {
 
-/// A file system with less space than this counts as full: writers ask for about this much.
+/// The file system counts as full if it has less free space than this, in bytes. Writers need about
+/// as much for one step.
 constexpr double NoSpace = 64.0 * 1024;
 
-/// Links after links that the system follows (Linux: path_resolution(7)).
+/// The greatest number of symbolic links that the system follows for one path (Linux:
+/// path_resolution(7)).
 constexpr int MostLinks = 40;
 
-/// Longer than any extension of a file that we write.
+/// The greatest length of an extension in characters; those of the written files are shorter.
 constexpr std::size_t LongestExtension = 32;
 
-/// Where Linux keeps a file's access control list, whose form we need not know.
+/// The attribute in which Linux stores the access control list of a file. It is copied without
+/// being read.
 constexpr const char* AccessList = "system.posix_acl_access";
 
-/// The path without links, dots and double slashes; the path itself where there is none.
+/// The absolute path without links, dots and double slashes, or `path` itself if it does not exist.
 std::string RealPath(const std::string& path)
 {
   std::string real = path;
@@ -65,7 +68,7 @@ std::string TemporaryFolder()
   return RealPath(folder && *folder ? folder : "/tmp");
 }
 
-/// The extension with its dot, if it looks like one.
+/// The extension with its dot, or "" if the text after the last dot does not look like one.
 std::string ExtensionOf(const std::string& path)
 {
   const std::size_t dot = path.find_last_of("./");
@@ -74,7 +77,7 @@ std::string ExtensionOf(const std::string& path)
   return usable ? path.substr(dot) : "";
 }
 
-/// N where a path is a descriptor of this process in /proc, else -1.
+/// N if the path is descriptor N of this process in /proc, else -1.
 int DescriptorOf(const std::string& path)
 {
   const std::string name = path.substr(path.rfind('/') + 1);
@@ -129,14 +132,14 @@ AtomicFile::AtomicFile(const std::string& target)
 
 AtomicFile::~AtomicFile() = default;
 
-/// Follows the target's links to where it lies.
+/// Follows the symbolic links of the target to the file that they name.
 void AtomicFile::Find()
 {
   struct stat status;
   const bool there = ::stat(this->Target.c_str(), &status) == 0;
   if (!there && errno != ENOENT)
   {
-    this->Fail(errno); // among others: a link that the system does not follow
+    this->Fail(errno); // for instance a link that the system refuses to follow
   }
   this->Real = this->Target;
   std::array<char, 4096> link;
@@ -185,8 +188,9 @@ void AtomicFile::Reserve()
   {
     SweepTemporaries(temporary);
   }
-  // What is new may be seen by those whom the umask allows; what replaces a file, or goes to someone
-  // else, by its owner alone until it has the file's rights.
+  // A new file may be read by everyone whom the umask allows. A file that replaces another one, or
+  // is copied elsewhere, is readable by its owner alone until it gets the permissions of its
+  // target.
   const bool fresh = !this->Device && ::access(this->Real.c_str(), F_OK) != 0;
   this->File.emplace(folder, ExtensionOf(this->Target), fresh ? 0666 : 0600);
   if (!this->File->IsOpen())
@@ -233,15 +237,16 @@ void AtomicFile::Commit()
 void AtomicFile::Replace()
 {
   this->KeepRights();
-  // Some file systems notice only here that they are full.
+  // Some file systems report only here that they are full.
   if (::fsync(this->File->GetFile()) != 0 && errno != EINVAL)
   {
     this->Fail(errno);
   }
-  // First, for once the temporary has the target's name, a killed process would leave them to nobody.
+  // Intermediate files are removed before the rename. If the process were killed after the rename,
+  // no later run could find their owner.
   this->File->RemoveIntermediates();
-  // Side files go aside first, for a raster beside those of another one would have a wrong place and
-  // wrong values, and come back if it cannot be replaced.
+  // Side files are moved aside before the rename, because they would give the new raster a wrong
+  // place and wrong values. They are moved back if the target cannot be replaced.
   const std::string stuck = this->File->PutAside(this->Real);
   if (!stuck.empty())
   {
@@ -265,8 +270,9 @@ void AtomicFile::Replace()
   this->SyncFolder();
 }
 
-/// Gives the temporary the rights of the file that it replaces, and the side file those of the
-/// temporary: never more than the file had, if less where the user may not give as much.
+/// Gives the temporary the permissions of the file that it replaces, and its side file those of the
+/// temporary. The new file never has more permissions than the old one. It has fewer if the user
+/// may not grant all of them.
 void AtomicFile::KeepRights()
 {
   const int file = this->File->GetFile();
@@ -280,12 +286,12 @@ void AtomicFile::KeepRights()
     bool listed = length < 0 && (errno == ENODATA || errno == ENOTSUP);
     if (listed)
     {
-      (void)::fremovexattr(file, AccessList); // what the folder gives to new files
+      (void)::fremovexattr(file, AccessList); // the list that the folder gives to new files
     }
     mode_t mode = old.st_mode & 0777;
     if (!owned)
     {
-      mode &= ~070U | ((mode & 07U) << 3); // another group: no more than everybody may
+      mode &= ~070U | ((mode & 07U) << 3); // another group: only what everybody may do
     }
     else if (length >= 0)
     {
@@ -293,7 +299,7 @@ void AtomicFile::KeepRights()
     }
     if (!listed)
     {
-      mode &= ~070U | ((mode & 07U) << 3); // the group's bits are the mask of a list that is lost
+      mode &= ~070U | ((mode & 07U) << 3); // the list is lost, and the group's bits were its mask
     }
     (void)::fchmod(file, mode);
   }
@@ -324,7 +330,7 @@ int AtomicFile::OpenDevice() const
   {
     return ::fcntl(this->Descriptor, F_DUPFD_CLOEXEC, 0);
   }
-  // Without O_NONBLOCK, a named pipe would wait for its reader for ever.
+  // Without O_NONBLOCK, opening a named pipe would wait forever for a reader.
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(PipePatience);
   int file = ::open(this->Real.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
   struct stat status;
@@ -343,7 +349,7 @@ int AtomicFile::OpenDevice() const
 
 void AtomicFile::CopyToDevice()
 {
-  // From here on the file needs no name: even a killed process leaves none.
+  // From here on the file needs no name, so that even a killed process leaves nothing behind.
   const int from = ::fcntl(this->File->GetFile(), F_DUPFD_CLOEXEC, 0);
   (void)::lseek(from, 0, SEEK_SET);
   const int to = this->OpenDevice();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file that appears complete or not at all.
+// A file that appears either complete or not at all.
 #ifndef skyline_AtomicFile_h
 #define skyline_AtomicFile_h
 
@@ -13,22 +13,23 @@
 namespace skyline
 {
 
-/// Reserves a temporary beside the target on construction; Commit renames it to the target's name.
-/// Without Commit the temporary goes away and the target stays as it was. Temporaries that killed
-/// processes left in the same folder go too.
+/// Creates a temporary file beside the target on construction. Commit renames it to the target's
+/// name. Without Commit, the temporary is removed and the target stays as it was. Temporaries that
+/// killed processes left in the same folder are removed too.
 ///
-/// - Behind a symbolic link, the file that it names is replaced or made, and the link stays; where
-///   the system follows no link (a loop, another user's link in a sticky folder), neither do we.
-/// - A target that cannot be replaced gets the bytes at the end, from a temporary in TMPDIR (default
-///   /tmp): a device, a pipe, or a descriptor that the process has (/dev/stdout, /dev/fd/N), where
-///   they come after what was written before, even to a file. A named pipe has PipePatience to be
-///   opened by a reader.
-/// - The temporary can be read by nobody who may not read the target. A new file has the rights that
-///   the umask leaves, a replaced one keeps its rights and, as far as the user may give them, owner
-///   and group, but is never setuid or setgid.
-/// POSIX only.
+/// - If the target is a symbolic link, the file that it names is replaced or created, and the link
+///   stays. A link that the system refuses to follow (a loop, another user's link in a sticky
+///   folder) is an error.
+/// - A target that cannot be replaced receives the bytes at the end, from a temporary in TMPDIR
+///   (default /tmp). Such targets are devices, pipes and open descriptors of the process
+///   (/dev/stdout, /dev/fd/N). The bytes follow what was written to the descriptor before, even if
+///   it is a file. A reader must open a named pipe within PipePatience.
+/// - Nobody can read the temporary who may not read the target. A new file has the permissions that
+///   the umask leaves. A replaced file keeps its permissions and, as far as the user may set them,
+///   its owner and group, but it is never setuid or setgid.
 ///
-/// Constructor and Commit throw IoFailure with a one-line reason that names the target.
+/// POSIX only. The constructor and Commit throw IoFailure with a one-line reason that names the
+/// target.
 class SKYLINEIO_EXPORT AtomicFile
 {
 public:
@@ -37,22 +38,24 @@ public:
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// Where to write: an absolute path with the target's extension to an empty file.
+  /// The absolute path of the empty temporary file to write to. It has the target's extension.
   const std::string& GetPath() const { return this->File->GetPath(); }
 
-  /// A second temporary beside the first, for a form in between; removed with it.
+  /// The path of a second temporary beside the first, for an intermediate form. It is removed with
+  /// the first.
   std::string GetIntermediatePath() const;
 
-  /// Puts the file, once it is written and closed, in the target's place, and GDAL's .aux.xml with
-  /// it; such side files of what was there before are removed, for they describe another raster.
-  /// Afterwards both the file and its name are on the disk.
+  /// Puts the written and closed file in the place of the target, together with its .aux.xml file
+  /// of GDAL. Side files of the replaced raster are removed, because they describe that raster.
+  /// When Commit returns, the file and its name are on the disk.
   void Commit();
 
-  /// What Commit replaces or removes: the target and the side files that GDAL reads with it.
+  /// The files that Commit replaces or removes: the target and the side files that GDAL reads with
+  /// it.
   static std::vector<std::string> Endangered(const std::string& target);
 
-  /// The failure of a write to the temporary: in the words of `reason`, unless no space is left, or
-  /// those for an errno.
+  /// Throws the IoFailure for a failed write to the temporary. The message contains `reason`
+  /// (unless the disk is full) or the system's text for an errno.
   [[noreturn]] void Fail(const std::string& reason) const;
   [[noreturn]] void Fail(int error) const;
 
@@ -65,14 +68,14 @@ private:
   int OpenDevice() const;
   void CopyToDevice();
 
-  std::string Target;  ///< as the caller spelled it
-  std::string Real;    ///< behind symbolic links
-  int Descriptor = -1; ///< of this process, where the target names one
+  std::string Target;  ///< as given by the caller
+  std::string Real;    ///< with symbolic links resolved
+  int Descriptor = -1; ///< the descriptor of this process that the target names, or -1
   bool Device = false;
   std::optional<Temporary> File;
 };
 
-/// Seconds that Commit waits for someone to read from a named pipe.
+/// How long Commit waits for a reader of a named pipe, in seconds.
 constexpr int PipePatience = 60;
 
 } // namespace skyline

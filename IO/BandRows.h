@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows of arrays in the order and with the numbers that they have in a file.
+// Rows of arrays with the order and the numbers of a raster file.
 #ifndef skyline_BandRows_h
 #define skyline_BandRows_h
 
@@ -16,7 +16,7 @@
 namespace skyline
 {
 
-/// Calls worker(array) with the array's own type where VTK knows it.
+/// Calls worker(array) with the concrete type of the array if VTK's dispatch knows that type.
 template <typename Worker>
 void DispatchArray(vtkDataArray* array, Worker& worker)
 {
@@ -26,16 +26,16 @@ void DispatchArray(vtkDataArray* array, Worker& worker)
   }
 }
 
-/// Copies rows of one array's components into a band-sequential buffer, top row first.
+/// Copies rows of the components of one array into a band-sequential buffer, top row first.
 template <typename T>
 struct RowCopier
 {
   T* Buffer = nullptr;
-  std::vector<int> Components; ///< the array's components that are bands here, in order
+  std::vector<int> Components; ///< the components that are bands here, in order
   std::size_t BandStride = 0;
   int Columns = 0;
-  int TopRow = 0; ///< of the image, counted from the south
-  int Count = 0;  ///< rows
+  int TopRow = 0; ///< the first row to copy, counted from the southern edge of the image
+  int Count = 0;  ///< the number of rows
   T Nodata = T(0);
 
   template <typename ArrayT>
@@ -61,8 +61,9 @@ struct RowCopier
   }
 };
 
-/// Rows [row, row + count) from the top of `bands` bands from the band `first` on, counted from 0, with
-/// `nodata` where posts are missing; band after band, bandStride numbers apart.
+/// Fills `buffer` with the rows [row, row + count), counted from the top, of the bands [first,
+/// first + bands), counted from 0. Missing posts get `nodata`. Each band begins bandStride numbers
+/// after the one before.
 template <typename T>
 void GatherRows(const GeoTiffContent& content, double nodata, T* buffer, std::size_t bandStride,
   int row, int count, int first, int bands)
@@ -71,7 +72,7 @@ void GatherRows(const GeoTiffContent& content, double nodata, T* buffer, std::si
   const auto end = band + bands;
   while (band != end)
   {
-    // Neighbouring bands of one array go together: the array is walked once.
+    // Consecutive bands of one array are copied together, in one loop over the array.
     vtkDataArray* array = band->Array;
     RowCopier<T> copier;
     copier.Buffer = buffer;

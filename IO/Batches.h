@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Independent jobs on all threads, in batches between which the caller's thread tells its progress.
+// Independent jobs on all threads, in batches, after each of which the calling thread reports
+// progress.
 #ifndef skyline_Batches_h
 #define skyline_Batches_h
 
@@ -12,12 +13,12 @@
 namespace skyline
 {
 
-/// Jobs of a batch per thread.
+/// Number of jobs in a batch for each thread.
 constexpr int JobsPerThread = 4;
 
-/// Calls work(job) for each job in [0, jobs), on any thread and in any order within a batch, then
-/// finish(begin, end) on the caller's thread. The first exception of any job ends it, in the caller's
-/// thread. Works with one thread as well.
+/// Calls work(job) for each job in [0, jobs), on any thread and in any order within a batch, and
+/// then finish(begin, end) for the batch on the calling thread. The first exception of a job ends
+/// the run and is rethrown on the calling thread. One thread is enough.
 template <typename Work, typename Finish>
 void RunInBatches(int jobs, const Work& work, const Finish& finish)
 {

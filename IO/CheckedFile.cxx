@@ -69,7 +69,7 @@ std::size_t CheckedFile::Read(void* bytes, std::size_t size, std::int64_t offset
   }
   if (this->Error != 0)
   {
-    std::memset(to + done, 0, wanted - done); // what was swallowed
+    std::memset(to + done, 0, wanted - done); // the bytes of writes that were ignored
     done = wanted;
   }
   return done;

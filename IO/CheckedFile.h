@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file that remembers what went wrong, because the libraries that write to it may not: GDAL and
-// libpng can lose the last bytes without a word, and libtiff prints where nobody asked.
+// A file that remembers the first error, because the libraries that write to it may not: GDAL and
+// libpng can lose the last bytes silently, and libtiff prints to stderr.
 #ifndef skyline_CheckedFile_h
 #define skyline_CheckedFile_h
 
@@ -13,13 +13,13 @@
 namespace skyline
 {
 
-/// Random access. From the first failed write on, the file swallows what it is given, as if all
-/// went well; whoever owns it asks GetError and throws the result away.
+/// A file with random access. After the first failed write, it ignores further writes and reports
+/// success. The owner calls GetError at the end and discards the file if an error occurred.
 class SKYLINEIO_EXPORT CheckedFile
 {
 public:
-  /// What fopen would do with "r", "r+", "w" or "w+" (b does not matter); a new file is the user's own
-  /// to read, until AtomicFile::Commit says who else may.
+  /// Opens the file as fopen does with "r", "r+", "w" or "w+" (a "b" makes no difference). Only the
+  /// user can read a new file, until AtomicFile::Commit sets its permissions.
   CheckedFile(const std::string& path, const std::string& access);
   ~CheckedFile();
   CheckedFile(const CheckedFile&) = delete;
@@ -27,7 +27,7 @@ public:
 
   bool IsOpen() const { return this->File >= 0; }
 
-  /// Bytes read: fewer than `size` at the end of the file.
+  /// Returns the number of bytes read, which is less than `size` at the end of the file.
   std::size_t Read(void* bytes, std::size_t size, std::int64_t offset);
 
   void Write(const void* bytes, std::size_t size, std::int64_t offset);
@@ -35,7 +35,7 @@ public:
   std::int64_t GetSize() const { return this->Size; }
   void Close();
 
-  /// The errno of the first failure to open, write, shorten or close; 0: none.
+  /// The errno of the first failure to open, write, truncate or close; 0 if there was none.
   int GetError() const { return this->Error; }
 
 private:
@@ -43,7 +43,7 @@ private:
 
   int File = -1;
   int Error = 0;
-  std::int64_t Size = 0; ///< as if all went well
+  std::int64_t Size = 0; ///< as if no write had failed
 };
 
 } // namespace skyline

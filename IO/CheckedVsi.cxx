@@ -20,12 +20,12 @@ namespace skyline
 namespace
 {
 
-/// GDAL takes it off the front of names, and keeps the pointer.
+/// The prefix of the names. GDAL removes it from names and keeps the pointer.
 constexpr const char* Prefix = "/vsiskyline/";
 
 using ErrorCell = std::shared_ptr<std::atomic<int>>;
 
-/// The paths that someone watches now.
+/// The paths that a CheckedVsi watches at the moment.
 struct Watches
 {
   std::mutex Mutex;
@@ -51,7 +51,7 @@ struct Watches
   }
 };
 
-/// What GDAL holds.
+/// The file handle that GDAL gets.
 struct Handle
 {
   Handle(const std::string& path, const std::string& access, ErrorCell error)
@@ -148,7 +148,7 @@ int Truncate(void* file, vsi_l_offset size)
 
 int Flush(void*)
 {
-  return 0; // nothing is held back
+  return 0; // nothing is buffered here
 }
 
 int Close(void* file)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CheckedFile for GDAL: names under which GDAL writes files and every failure is known.
+// CheckedFile for GDAL: GDAL writes files under special names, and every failure is recorded.
 #ifndef skyline_CheckedVsi_h
 #define skyline_CheckedVsi_h
 
@@ -10,21 +10,21 @@
 namespace skyline
 {
 
-/// Hears of failed writes to a file and to those whose name begins with its name, as long as they
-/// go by GetName and the like.
+/// Records failed writes to a file, and to files whose names begin with its name, if GDAL opens
+/// them under the names that NameOf returns.
 class CheckedVsi
 {
 public:
-  /// `path` is absolute.
+  /// `path` is an absolute path.
   explicit CheckedVsi(const std::string& path);
   ~CheckedVsi();
   CheckedVsi(const CheckedVsi&) = delete;
   CheckedVsi& operator=(const CheckedVsi&) = delete;
 
-  /// What to call a path in GDAL.
+  /// The name under which GDAL must open the file `path`.
   static std::string NameOf(const std::string& path);
 
-  /// The errno of the first failure; 0: none.
+  /// The errno of the first failure; 0 if there was none.
   int GetError() const { return *this->Error; }
 
 private:

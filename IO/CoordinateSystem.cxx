@@ -21,12 +21,13 @@ namespace skyline
 namespace
 {
 
-/// A body whose equatorial radius is this near to the Earth's (relative) is the Earth: ellipsoids
-/// of the Earth differ by 0.02 %, the next body, Venus, by 5 %.
+/// A body is the Earth if its equatorial radius (metres) differs from the Earth's by less than this
+/// relative tolerance. Ellipsoids of the Earth differ by 0.02 %; the most similar body, Venus, by 5
+/// %.
 constexpr double EarthRadius = 6378137.0;
 constexpr double EarthRadiusTolerance = 0.01;
 
-/// Part of a pixel by which a raster's rounded numbers may carry a post over a pole.
+/// The part of a pixel by which rounding in a raster's georeference may place a post beyond a pole.
 constexpr double PoleSlack = 1e-3;
 
 std::string PercentText(double part)
@@ -61,11 +62,11 @@ std::string WktOf(const OGRSpatialReference& crs)
   return wkt;
 }
 
-/// Nodes along a side of the finest lattice: a whole globe on one map needs 345.
+/// The greatest number of lattice nodes along a side. A map of the whole globe needs 345.
 constexpr int LastLatticeNodes = 513;
 
-/// A raster whose longer side is shorter than this (metres) has the map's steps to rounding in the
-/// coarsest lattice; the rounding of longitudes would be compared.
+/// A raster whose longer side is shorter than this (metres) is not checked. The coarsest lattice is
+/// exact for it up to rounding, and the check would only compare the rounding errors of longitudes.
 constexpr double ShortestChecked = 1000.0;
 
 std::array<double, 3> NormalAt(double longitude, double latitude)
@@ -74,7 +75,7 @@ std::array<double, 3> NormalAt(double longitude, double latitude)
   return { { std::cos(phi) * std::cos(lambda), std::cos(phi) * std::sin(lambda), std::sin(phi) } };
 }
 
-/// The turn of 360 degrees that brings `longitude` next to `neighbour`.
+/// Adds the multiple of 360 degrees that brings `longitude` closest to `neighbour`.
 double Continued(double longitude, double neighbour)
 {
   return longitude + 360.0 * std::round((neighbour - longitude) / 360.0);
@@ -135,17 +136,17 @@ void CoordinateSystem::ReadUnits(const OGRSpatialReference& whole)
   }
   const std::string unit = name ? name : "";
   double metres = 0.0;
-  // A factor of 1 under a name that is no length is what GDAL makes of a missing unit.
+  // If the unit is missing, GDAL gives the factor 1 and a name that is not a length.
   const bool nameless =
     !this->Geographic && this->Unit == 1.0 && ReadUnitName(unit, metres) != UnitName::Length;
   if (!(this->Unit > 0.0) || !std::isfinite(this->Unit) || nameless)
   {
     Refuse(this->File,
       "its CRS '" + NameOf(this->Horizontal) + "' has the unit '" + unit +
-        "' of no known length; assign a CRS with a unit (gdal_edit.py -a_srs)");
+        "', whose length is not known; assign a CRS with a unit (gdal_edit.py -a_srs)");
   }
 
-  // The third axis of a compound CRS or of a CRS of three dimensions.
+  // The third axis belongs to a compound or a three-dimensional CRS.
   if (whole.GetAxesCount() > 2)
   {
     OGRAxisOrientation axis = OAO_Other;
@@ -155,7 +156,7 @@ void CoordinateSystem::ReadUnits(const OGRSpatialReference& whole)
     {
       Refuse(this->File,
         "the vertical part of its CRS '" + NameOf(whole) +
-          "' has a unit of no known length; assign a CRS with a unit (gdal_edit.py -a_srs)");
+          "' has a unit whose length is not known; assign a CRS with a unit (gdal_edit.py -a_srs)");
     }
   }
 }
@@ -184,8 +185,9 @@ void CoordinateSystem::Place(Georeference& georeference) const
 
 void CoordinateSystem::FillLattice(Georeference& georeference) const
 {
-  // The same ellipsoid without a datum: degrees from Greenwich (or the body's own zero meridian),
-  // and no datum shift, whatever units and meridian the CRS counts in.
+  // A geographic CRS in degrees on the same ellipsoid, without a datum. Longitudes then count from
+  // Greenwich (or from the prime meridian of the body), and there is no datum shift, whatever the
+  // units and the prime meridian of the CRS are.
   OGRSpatialReference degrees;
   degrees.SetGeogCS("own", "own", "own", georeference.EquatorialRadius,
     georeference.Flattening > 0.0 ? 1.0 / georeference.Flattening : 0.0);
@@ -197,9 +199,11 @@ void CoordinateSystem::FillLattice(Georeference& georeference) const
   if (!toDegrees)
   {
     Refuse(this->File,
-      "its CRS '" + NameOf(this->Horizontal) + "' gives no longitudes: " + errors.First());
+      "its CRS '" + NameOf(this->Horizontal) +
+        "' cannot be converted to longitudes: " + errors.First());
   }
-  // Longitudes and latitudes themselves are interpolated without error.
+  // In a geographic CRS, longitudes and latitudes are linear in x and y, so that interpolation is
+  // exact.
   const bool exact = this->Geographic && !this->Derived;
   for (int nodes = DefaultLatticeNodes;; nodes = 2 * nodes - 1)
   {
@@ -250,7 +254,7 @@ void CoordinateSystem::ToDegrees(const Georeference& georeference,
     {
       Refuse(this->File,
         "the point (" + std::to_string(mapX[point]) + ", " + std::to_string(mapY[point]) +
-          ") has no place in its CRS '" + NameOf(this->Horizontal) +
+          ") has no longitude and latitude in its CRS '" + NameOf(this->Horizontal) +
           "'; cut the raster to where the map is defined (gdalwarp -te) or correct its CRS");
     }
   }
@@ -293,7 +297,7 @@ bool CoordinateSystem::IsFine(
   {
     return true;
   }
-  // Steps about the nodes, where the interpolated ones err most.
+  // Compare steps across the nodes, where the error of the interpolated steps is greatest.
   const int nodes = georeference.LatticeColumns;
   const double cellX = static_cast<double>(georeference.Columns - 1) / (nodes - 1);
   const double cellY = static_cast<double>(georeference.Rows - 1) / (nodes - 1);
@@ -330,7 +334,7 @@ bool CoordinateSystem::IsFine(
       length += step * step;
       error += off * off;
     }
-    // A point where columns meet has no step to compare with.
+    // At a pole, where all columns meet, the step is 0 and cannot be compared.
     const double whole = std::max(width, height) / georeference.EquatorialRadius;
     if (error > LatticeTolerance * LatticeTolerance * length && std::sqrt(length) > 1e-6 * whole)
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a coordinate reference system says about metres, directions and the body under the posts.
+// The units, directions and body that a coordinate reference system (CRS) gives to the posts.
 #ifndef skyline_CoordinateSystem_h
 #define skyline_CoordinateSystem_h
 
@@ -16,22 +16,22 @@ class OGRCoordinateTransformation;
 namespace skyline
 {
 
-/// A CRS as the reader needs it. Every message names `file`.
+/// A CRS with what the reader needs to know about it. Every message names the file.
 class CoordinateSystem
 {
 public:
-  /// Metres without a place: a raster with no CRS.
+  /// No CRS: x and y are metres on no particular body.
   CoordinateSystem() = default;
 
-  /// Takes the horizontal part of a CRS: geographic, projected, or local with a unit of length.
-  /// Throws IoFailure for any other kind, for a unit that is not known, and for longitudes that
-  /// grow to the west.
+  /// Uses the horizontal part of a CRS that is geographic, projected, or local with a unit of
+  /// length. Throws IoFailure for any other type of CRS, for an unknown unit, and for longitudes
+  /// that increase to the west.
   CoordinateSystem(const OGRSpatialReference& crs, const std::string& file);
 
   bool IsGeographic() const { return this->Geographic; }
 
-  /// What its steps are: degrees of longitude and latitude only if it is not derived from another
-  /// geographic CRS (rotated pole).
+  /// The unit of a step in x or y. A geographic CRS that is derived from another one (a rotated
+  /// pole) has degrees that are not longitude and latitude.
   StepUnit GetStepUnit() const
   {
     return !this->Geographic ? StepUnit::Metres
@@ -39,24 +39,25 @@ public:
                              : StepUnit::Degrees;
   }
 
-  /// Metres in one unit of x and y; degrees in one where the CRS is geographic.
+  /// The size of one unit of x and y, in metres, or in degrees if the CRS is geographic.
   double GetUnit() const { return this->Unit; }
 
-  /// True for a CRS that counts lengths on a map; false where it is geographic, or there is none.
+  /// True if x and y are lengths on a map; false if the CRS is geographic or there is none.
   bool IsOnMap() const { return !this->Wkt.empty() && !this->Geographic; }
 
-  /// Metres in one unit of height by the CRS's vertical axis, of a compound CRS or one of three
-  /// dimensions; 0 where it has none.
+  /// The size of one unit of height in metres, from the vertical axis of a compound or
+  /// three-dimensional CRS; 0 if the CRS has no vertical axis.
   double GetVerticalUnit() const { return this->VerticalUnit; }
 
-  /// True where the vertical axis counts downwards.
+  /// True if the vertical axis counts downwards.
   bool CountsDepths() const { return this->Depths; }
 
-  /// True where x grows to the west and y to the south (South African maps).
+  /// True if x increases to the west and y to the south (maps of South Africa).
   bool PointsSouthWest() const { return this->SouthWest; }
 
-  /// Fills CRS, body and lattice of a georeference that has its geotransform and post counts. A CRS
-  /// without a body only gives its name. Throws IoFailure where posts have no place on the body.
+  /// Fills in the CRS, the body and the lattice of a georeference that already has its geotransform
+  /// and numbers of posts. For a CRS without a body, only the CRS is filled in. Throws IoFailure if
+  /// posts have no longitude and latitude.
   void Place(Georeference& georeference) const;
 
 private:
@@ -70,7 +71,7 @@ private:
     std::vector<double>& columns, std::vector<double>& rows) const;
 
   std::string File;
-  std::string Wkt; ///< of the whole CRS, vertical part included
+  std::string Wkt; ///< of the whole CRS, including its vertical part
   OGRSpatialReference Horizontal;
   bool Geographic = false;
   bool Derived = false;

@@ -19,7 +19,7 @@ namespace skyline
 namespace
 {
 
-/// Greater side files are no texts of a CRS.
+/// Larger side files cannot be the text of a CRS.
 constexpr vsi_l_offset MostBytes = 16u << 20;
 
 std::string ReadText(const std::string& file)
@@ -43,7 +43,7 @@ bool IsBlank(const std::string& text)
   return text.find_first_not_of(" \t\r\n") == std::string::npos;
 }
 
-/// Whether a .vrt or .aux.xml has an <SRS> of its own, not one of its sources.
+/// True if a .vrt or .aux.xml has an <SRS> element of its own. Those of its sources do not count.
 bool XmlDeclaresCrs(const std::string& text)
 {
   const std::unique_ptr<CPLXMLNode, decltype(&CPLDestroyXMLNode)> tree(
@@ -59,7 +59,7 @@ bool XmlDeclaresCrs(const std::string& text)
   return false;
 }
 
-/// Whether the first directory of a TIFF has GeoKeys that tell a kind of CRS.
+/// Finds out whether the first directory of a TIFF has GeoKeys that give the type of a CRS.
 class GeoKeys
 {
 public:

@@ -51,7 +51,7 @@ void GdalErrors::Keep(CPLErr kind, CPLErrorNum, const char* message)
   }
   catch (const std::exception&)
   {
-    // No memory for the words; GDAL is C and must not be passed through.
+    // There is no memory for the message. GDAL is C code, through which no exception may pass.
   }
 }
 
@@ -69,7 +69,8 @@ void GdalErrors::KeepText(CPLErr kind, const char* message)
   }
   if (kind == CE_Fatal)
   {
-    // GDAL calls abort next, as it does where memory for a table of its own is missing.
+    // GDAL calls abort after this message, for instance if there is no memory for one of its own
+    // tables.
     std::fprintf(stderr, "skyline: GDAL ends the program: %s\n", *message ? message : "no reason");
   }
   if (this->Message.empty())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// GDAL's complaints, kept instead of printed.
+// Messages of GDAL, stored instead of printed.
 #ifndef skyline_GdalErrors_h
 #define skyline_GdalErrors_h
 
@@ -13,9 +13,9 @@
 namespace skyline
 {
 
-/// While one lives, GDAL prints nothing from this thread and starts no others. Its first failure is remembered, for the
-/// later ones only say that something did not work, and every warning. The first one made registers
-/// GDAL's drivers.
+/// While an object of this class exists, GDAL prints nothing from this thread and starts no other
+/// threads. The first failure is stored (later ones only report its consequences), and so is every
+/// warning. The first object registers GDAL's drivers.
 class GdalErrors
 {
 public:
@@ -27,22 +27,22 @@ public:
   /// True once GDAL reported a failure; warnings do not count.
   bool Any() const { return this->Failed; }
 
-  /// The first line of the first failure, or `otherwise` when GDAL gave no words.
+  /// The first line of the first failure, or `otherwise` if GDAL gave no text.
   std::string First(const std::string& otherwise = "GDAL gives no reason") const;
 
-  /// The first lines of the warnings, each once.
+  /// The first line of each warning, without repetitions.
   const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
 
-  /// Forgets what happened so far.
+  /// Forgets all failures and warnings.
   void Clear();
 
 private:
   static void CPL_STDCALL Keep(CPLErr kind, CPLErrorNum number, const char* message);
   void KeepText(CPLErr kind, const char* message);
 
-  static constexpr std::size_t MostWarnings = 20; ///< a damaged file may give one a block
+  static constexpr std::size_t MostWarnings = 20; ///< a damaged file may cause one for each block
 
-  // GDAL would take every processor, and wait for ever where the system gives it no thread.
+  // GDAL would use every processor, and would wait forever if the system gives it no thread.
   CPLConfigOptionSetter Alone{ "GDAL_NUM_THREADS", "1", false };
   bool Failed = false;
   std::string Message;

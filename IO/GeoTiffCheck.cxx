@@ -26,10 +26,12 @@ namespace skyline
 namespace
 {
 
-/// Bytes that a job compares, at least a row of blocks: enough to be worth opening the file.
+/// Number of bytes that a job compares, at least one row of blocks: enough to outweigh opening the
+/// file.
 constexpr double JobBytes = 4.0 * 1024 * 1024;
 
-/// Parts of a pixel by which the stored place may differ, as its numbers are computed with.
+/// The greatest difference between the stored place and the computed one, as a part of a pixel:
+/// rounding.
 constexpr double PlaceSlack = 1e-6;
 
 struct Closer
@@ -63,7 +65,7 @@ public:
     const int rows =
       static_cast<int>(std::min<std::int64_t>(blocks * blockRows, this->Content.Rows));
     const int parts = (this->Content.Rows + rows - 1) / rows;
-    // Where bands share their blocks, a job takes them all.
+    // If all bands share their blocks, one job reads all bands.
     const bool shared = bands > 1 && this->AreBandsTogether(*dataset);
     const int groups = shared ? 1 : bands;
     const auto work = [&](int job)
@@ -84,7 +86,7 @@ public:
     RunInBatches(jobs, work, [&](int, int end) { report(static_cast<double>(end) / jobs); });
     for (int level = 0; level < band->GetOverviewCount(); ++level)
     {
-      for (int b = 1; b <= groups; ++b) // shared blocks are read with the first band
+      for (int b = 1; b <= groups; ++b) // a shared block is read with the first band
       {
         this->ReadThrough(dataset->GetRasterBand(b)->GetOverview(level), errors);
       }
@@ -99,7 +101,8 @@ private:
 
   Dataset Open(const GdalErrors& errors) const
   {
-    // Every thread opens it: the folder may be long.
+    // Each thread opens the file. Without this option GDAL would list the folder, which may be
+    // large.
     const CPLConfigOptionSetter noListing("GDAL_DISABLE_READDIR_ON_OPEN", "TRUE", false);
     const std::array<const char*, 2> drivers{ { "GTiff", nullptr } };
     Dataset dataset(GDALDataset::Open(this->File.GetPath().c_str(),
@@ -192,7 +195,8 @@ private:
     this->Idle.push_back(std::move(dataset));
   }
 
-  /// An open file for one job: opening a file of thousands of bands takes longer than reading one.
+  /// An open file for one job. Open files are reused, because opening a file of thousands of bands
+  /// takes longer than reading one band.
   Dataset Borrow(const GdalErrors& errors) const
   {
     {
@@ -207,7 +211,7 @@ private:
     return this->Open(errors);
   }
 
-  /// An overview has all its blocks, and each can be unpacked.
+  /// Checks that an overview has all its blocks and that each block can be unpacked.
   void ReadThrough(GDALRasterBand* overview, const GdalErrors& errors) const
   {
     int blockColumns = 1, blockRows = 1;
@@ -233,7 +237,7 @@ private:
   const GeoTiffContent& Content;
   const AtomicFile& File;
   mutable std::mutex Mutex;
-  mutable std::vector<Dataset> Idle; ///< open, and nobody reads
+  mutable std::vector<Dataset> Idle; ///< open files that no job uses now
 };
 
 } // namespace

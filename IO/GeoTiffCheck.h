@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A written GeoTIFF read back, before anybody else sees it.
+// A written GeoTIFF is read back before it gets its final name.
 #ifndef skyline_GeoTiffCheck_h
 #define skyline_GeoTiffCheck_h
 
@@ -15,19 +15,19 @@ namespace skyline
 
 class AtomicFile;
 
-/// What was to be written.
+/// What the file should contain.
 struct GeoTiffPromise
 {
   const GeoTiffContent* Content = nullptr;
-  GDALDataType Buffer = GDT_Float32; ///< numbers as they were handed to GDAL: Float32 or Float64
-  double Nodata = 0.0;               ///< in place of missing posts
+  GDALDataType Buffer = GDT_Float32; ///< type of the numbers given to GDAL: Float32 or Float64
+  double Nodata = 0.0;               ///< written for missing posts
   bool DeclareNodata = false;
 };
 
-/// Reads every block of the file, on all threads, and compares every number with the arrays, and the
-/// place on the map, the nodata value and the descriptions with what they should be. Overviews are
-/// read, not compared. Throws IoFailure where the file is not what was promised.
-/// `report` gets the part done and may throw.
+/// Reads every block of the file, on all threads. Compares each number with the arrays, and the
+/// georeference, the nodata value and the descriptions with the expected ones. Overviews are read
+/// but not compared. Throws IoFailure if the file differs from `promise`. `report` receives the
+/// completed part (0 to 1) and may throw.
 void CheckGeoTiff(
   const GeoTiffPromise& promise, const AtomicFile& file, const std::function<void(double)>& report);
 

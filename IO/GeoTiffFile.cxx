@@ -36,18 +36,19 @@ namespace skyline
 namespace
 {
 
-/// Rasters with more posts than this along both sides are tiled.
+/// A raster with more posts than this along both sides is written in tiles.
 constexpr int TiledFrom = 512;
 constexpr int TileSize = 256;
 
-/// Bytes of a strip in a file without tiles, and bytes handed to GDAL in one go.
+/// Bytes of a strip in a file without tiles, and bytes that are passed to GDAL in one call.
 constexpr int StripBytes = 64 * 1024;
 constexpr double ChunkBytes = 4.0 * 1024 * 1024;
 
-/// Bytes of a band that one thread packs in one go, at least a row of blocks.
+/// Bytes of a band that one thread packs in one step, at least one row of blocks.
 constexpr double PartBytes = 2.0 * 1024 * 1024;
 
-/// Nodata values beyond this cannot be an angle, a fraction or an irradiance.
+/// A nodata value whose magnitude is greater than this cannot be an angle, a fraction or an
+/// irradiance.
 constexpr double LargestResult = 1000.0;
 constexpr double DefaultNodata = -9999.0;
 
@@ -70,11 +71,11 @@ GDALDataType TypeOf(vtkDataArray* array)
     case VTK_FLOAT:
       return GDT_Float32;
     default:
-      return GDT_Float64; // 64-bit integers too: few programs read such bands
+      return GDT_Float64; // 64-bit integers too, because few programs read such bands
   }
 }
 
-/// Which of some numbers an array has, and whether posts are missing.
+/// Finds out which of the candidate numbers occur in an array, and whether posts are missing.
 struct Census
 {
   std::vector<double> Candidates;
@@ -103,7 +104,8 @@ struct Census
   }
 };
 
-/// GDAL's progress function over our own, which may throw; the exception waits in here.
+/// Passes GDAL's progress to our own function, which may throw. The exception is stored here until
+/// GDAL returns.
 struct ProgressBridge
 {
   const std::function<void(double)>& Report;
@@ -126,8 +128,9 @@ struct ProgressBridge
   }
 };
 
-/// The CRS of a WKT, taken from the register where it says that it is there: WKT leaves out the
-/// codes of a compound CRS's parts, and without them GDAL 3.10 loses the vertical unit.
+/// The CRS of a WKT text. If the text names an entry of the registry, that entry is used, because
+/// WKT omits the codes of the parts of a compound CRS, and without them GDAL 3.10 loses the
+/// vertical unit.
 bool ReadCrs(const std::string& wkt, OGRSpatialReference& crs)
 {
   const GdalErrors quiet;
@@ -148,7 +151,7 @@ bool ReadCrs(const std::string& wkt, OGRSpatialReference& crs)
   return true;
 }
 
-/// One file on its way.
+/// Writes one file.
 class GeoTiffWriter
 {
 public:
@@ -200,8 +203,8 @@ private:
     void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
   };
 
-  /// Throws if a write failed, which GDAL is not told, or GDAL complained, which need not show in
-  /// a return value.
+  /// Throws if a write failed (which GDAL is not told) or if GDAL reported a failure (which its
+  /// return values need not show).
   void Check(bool good) const
   {
     if (const int error = this->Writes.GetError())
@@ -266,14 +269,15 @@ private:
     this->DeclareNodata = census.Missing || this->Content.HasNodata;
   }
 
-  /// How blocks are laid out and packed; the same for the file and for parts of it.
+  /// The options for the layout and compression of blocks, for the file and for its separately
+  /// packed parts.
   CPLStringList BlockOptions() const
   {
     const int columns = this->Content.Columns;
     const int rows = this->Content.Rows;
     CPLStringList options;
     options.SetNameValue("INTERLEAVE", this->Color ? "PIXEL" : "BAND");
-    options.SetNameValue("NUM_THREADS", "1"); // errors of other threads would not be heard
+    options.SetNameValue("NUM_THREADS", "1"); // errors in other threads would be lost
     if (this->Color)
     {
       options.SetNameValue("PHOTOMETRIC", "RGB");
@@ -282,7 +286,7 @@ private:
     if (!this->Content.CloudOptimized)
     {
       options.SetNameValue(
-        "ENDIANNESS", "LITTLE"); // whatever GDAL_TIFF_ENDIANNESS says: TiffBlockTable
+        "ENDIANNESS", "LITTLE"); // TiffBlockTable needs it; overrides GDAL_TIFF_ENDIANNESS
       options.SetNameValue("COMPRESS", "DEFLATE");
       options.SetNameValue("PREDICTOR", this->Real ? "3" : "2");
     }
@@ -331,7 +335,7 @@ private:
       std::array<double, 6> transform = place.GeoTransform;
       this->Check(this->Dataset->SetGeoTransform(transform.data()) == CE_None);
     }
-    // Without a unit of its own a band would get that of the CRS's vertical part.
+    // A band without a unit would get the unit of the vertical part of the CRS.
     const std::string noUnit = crs.IsCompound() ? "1" : "";
     for (std::size_t i = 0; i < this->Content.Bands.size(); ++i)
     {
@@ -356,7 +360,8 @@ private:
     int blockColumns = 1, blockRows = 1;
     this->Dataset->GetRasterBand(1)->GetBlockSize(&blockColumns, &blockRows);
 
-    // As many whole rows of blocks as fit, of all bands; else one row of blocks of some bands.
+    // A chunk is as many whole rows of blocks of all bands as fit, or one row of blocks of some
+    // bands.
     const double blockBytes = static_cast<double>(columns) * blockRows * sizeof(T);
     const int group = static_cast<int>(std::clamp(ChunkBytes / blockBytes, 1.0, double(bands)));
     const auto blocks =
@@ -387,9 +392,10 @@ private:
     }
   }
 
-  /// Writes a file whose blocks belong to one band each: GDAL makes it without blocks, every thread of
-  /// ours has GDAL pack some rows of a band as a file of its own in memory, and the packed blocks go
-  /// into the first file as they are. False, and nothing done, where that does not serve.
+  /// Writes a file in which each block belongs to one band. GDAL creates the file without blocks.
+  /// Then, on each thread, GDAL packs some rows of a band as a separate file in memory, and the
+  /// packed blocks are copied into the first file unchanged. Returns false, without having written
+  /// anything, if this method cannot be used.
   bool WriteOnAllThreads(const std::string& path)
   {
     const int bands = static_cast<int>(this->Content.Bands.size());
@@ -494,14 +500,14 @@ private:
     this->Close();
   }
 
-  GdalErrors Errors; // first, so that closing the file is heard
+  GdalErrors Errors; // first, so that errors on closing the file are recorded
   const GeoTiffContent& Content;
   const AtomicFile& File;
   CheckedVsi Writes;
   const std::function<void(double)>& Report;
   std::unique_ptr<GDALDataset, Closer> Dataset;
   GDALDataType Type = GDT_Unknown;
-  GDALDataType Buffer = GDT_Float32; ///< what GDAL gets: the narrower type that holds all numbers
+  GDALDataType Buffer = GDT_Float32; ///< type of GDAL's input: the narrower one that holds all
   bool Real = false;
   bool Color = false;
   bool DeclareNodata = false;
@@ -518,7 +524,7 @@ GeoTiffContent ContentOf(vtkImageData* image)
   content.Rows = image->GetDimensions()[1];
   content.HasNodata = LoadNodataValue(image, content.Nodata);
   content.Place = GeoreferenceOf(image);
-  // An image without a place on a map still has its posts' distances.
+  // An image without a georeference still has a distance between its posts.
   const double* spacing = image->GetSpacing();
   if (!content.Place.HasGeoTransform && (spacing[0] != 1.0 || spacing[1] != 1.0))
   {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bands of an image to a GeoTIFF: the writer without the pipeline.
+// Writes bands of an image to a GeoTIFF: the code of the writer that does not depend on VTK's
+// pipeline.
 #ifndef skyline_GeoTiffFile_h
 #define skyline_GeoTiffFile_h
 
@@ -21,7 +22,7 @@ namespace skyline
 
 class AtomicFile;
 
-/// One component of an array.
+/// One component of an array, written as one band.
 struct BandSource
 {
   vtkDataArray* Array = nullptr;
@@ -30,23 +31,24 @@ struct BandSource
   std::string Unit;
 };
 
-/// All that goes into the file.
+/// The complete content of the file.
 struct GeoTiffContent
 {
-  int Columns = 0, Rows = 0; ///< arrays hold the rows from the south
+  int Columns = 0, Rows = 0; ///< row 0 of the arrays is the southern one
   std::vector<BandSource> Bands;
   Georeference Place;
-  bool HasNodata = false; ///< the input declared `Nodata`
+  bool HasNodata = false; ///< true if the input declares `Nodata`
   double Nodata = 0.0;
   bool CloudOptimized = false;
-  bool Picture = false; ///< three bands are red, green, blue, a fourth alpha
+  bool Picture = false; ///< the bands are red, green, blue and possibly alpha
 };
 
-/// Size and field data of an image, without bands. Throws std::invalid_argument where the
-/// georeference is another image's.
+/// The size and the field data of an image, without bands. Throws std::invalid_argument if the
+/// georeference belongs to an image of another size.
 GeoTiffContent ContentOf(vtkImageData* image);
 
-/// Writes and closes `file.GetPath()`. `report` gets the part done and may throw. Throws IoFailure.
+/// Writes `file.GetPath()` and closes it. `report` receives the completed part (0 to 1) and may
+/// throw. Throws IoFailure.
 void WriteGeoTiff(
   const GeoTiffContent& content, const AtomicFile& file, const std::function<void(double)>& report);
 

@@ -26,7 +26,7 @@ struct Closer
 };
 using Dataset = std::unique_ptr<GDALDataset, Closer>;
 
-/// The name of a file in memory, which goes at the end.
+/// The name of a file in memory. The destructor removes the file.
 struct MemoryFile
 {
   MemoryFile()
@@ -39,7 +39,7 @@ struct MemoryFile
   std::string Name;
 };
 
-/// One file in memory on its way.
+/// Packs rows into one file in memory.
 class Packer
 {
 public:
@@ -131,7 +131,7 @@ private:
     }
   }
 
-  const GdalErrors Errors; // first, so that removing the file is heard
+  const GdalErrors Errors; // first, so that errors on removing the file are recorded
   const PackingWay& Way;
   const AtomicFile& File;
   const MemoryFile Memory;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows of one band as packed blocks of a TIFF, made by GDAL in whatever thread asks.
+// Rows of one band as packed TIFF blocks, made by GDAL on the calling thread.
 #ifndef skyline_GeoTiffRows_h
 #define skyline_GeoTiffRows_h
 
@@ -20,21 +20,22 @@ class AtomicFile;
 struct PackingWay
 {
   const GeoTiffContent* Content = nullptr;
-  double Nodata = 0.0;                  ///< in place of missing posts
-  GDALDataType Stored = GDT_Float32;    ///< the band's type
-  GDALDataType Buffer = GDT_Float32;    ///< numbers as GDAL gets them: Float32 or Float64
+  double Nodata = 0.0;                  ///< written for missing posts
+  GDALDataType Stored = GDT_Float32;    ///< type of the band in the file
+  GDALDataType Buffer = GDT_Float32;    ///< type of the numbers given to GDAL: Float32 or Float64
   const char* const* Options = nullptr; ///< creation options of GDAL's GTiff driver
 };
 
-/// The blocks, from the top and from the left: a place in Bytes and a size.
+/// Packed blocks in row order, each with its offset in Bytes and its size.
 struct PackedRows
 {
   std::vector<unsigned char> Bytes;
   std::vector<std::pair<std::size_t, std::size_t>> Blocks;
 };
 
-/// Packs rows [row, row + count) from the top of the band `band`, counted from 0; `row` begins a row of
-/// blocks. What GDAL reports in this thread is thrown as an IoFailure of `file`.
+/// Packs rows [row, row + count), counted from the top, of the band `band`, counted from 0. `row`
+/// must be the first row of a row of blocks. Throws what GDAL reports in this thread as an
+/// IoFailure of `file`.
 PackedRows PackRows(const PackingWay& way, int band, int row, int count, const AtomicFile& file);
 
 } // namespace skyline

@@ -19,7 +19,8 @@ namespace skyline
 namespace
 {
 
-/// A file system of GDAL's behind the guard. What has no name in it is passed on as it is.
+/// A wrapper of one of GDAL's file systems that asks the guard first. Calls without a file name are
+/// passed on unchanged.
 class GuardedSystem : public VSIFilesystemHandler
 {
 public:
@@ -122,7 +123,8 @@ public:
   bool SupportsRead(const char* name) override { return this->Inner->SupportsRead(name); }
 
 private:
-  /// One call: whether it is allowed, and that what the network itself reads is not judged.
+  /// One call. It asks the guard whether the call is allowed, and does not judge the files that the
+  /// network code itself reads.
   struct Visit
   {
     Visit(const GuardedSystem& system, const char* name, bool create = false)
@@ -157,7 +159,8 @@ private:
     bool Before = false;
   };
 
-  /// Everything on no local disk. An unknown system is not the network: see MayUseSystem.
+  /// All file systems that are not on a local disk. For systems that are not known here, see
+  /// MayUseSystem.
   static bool IsNetwork(const std::string& prefix)
   {
     for (const char* part : { "/vsicurl", "/vsis3", "/vsigs", "/vsiaz", "/vsiadls", "/vsioss",
@@ -171,12 +174,12 @@ private:
     return false;
   }
 
-  std::string Prefix; ///< empty: files on local disks
+  std::string Prefix; ///< empty for files on local disks
   bool Network;
   VSIFilesystemHandler* Inner;
 };
 
-/// The systems that stand in for GDAL's, and how many guards need them.
+/// The wrappers that replace GDAL's file systems, and the number of guards that need them.
 struct Installed
 {
   std::mutex Mutex;
@@ -186,30 +189,31 @@ struct Installed
 
   static Installed& Get()
   {
-    static auto* installed = new Installed; // GDAL may come back to one while the program ends
+    static auto* installed = new Installed; // not deleted: GDAL may need it at exit
     return *installed;
   }
 
   void Install()
   {
-// From 3.12 on GDAL deletes a file system that is replaced. There the guard knows of what is opened
-// as a raster, and of the network, and not of other files that formats read by themselves.
+// From 3.12 on, GDAL deletes a file system that is replaced. With these versions the guard sees
+// what is opened as a raster and what is read from the network, but not other files that format
+// drivers read by themselves.
 #if GDAL_VERSION_NUM < GDAL_COMPUTE_VERSION(3, 12, 0)
     const CPLStringList known(VSIFileManager::GetPrefixes());
     std::vector<std::string> prefixes{ "" };
     prefixes.insert(prefixes.end(), known.List(), known.List() + known.Count());
-    prefixes.emplace_back("/vsicurl?"); // which GDAL does not list
+    prefixes.emplace_back("/vsicurl?"); // not listed by GDAL
     VSIFilesystemHandler* const disks = VSIFileManager::GetHandler("");
     for (const std::string& prefix : prefixes)
     {
       VSIFilesystemHandler* inner = VSIFileManager::GetHandler(prefix.c_str());
       if (inner == disks && !prefix.empty())
       {
-        continue; // no such system here
+        continue; // this file system does not exist here
       }
       if (SourceGuard::IsHarmless(prefix))
       {
-        continue; // GDAL takes some of these for its own class without asking
+        continue; // GDAL casts some of these to its own class without a check
       }
       GuardedSystem*& system = this->Systems[{ prefix, inner }];
       if (!system)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// GDAL's file systems, watched while a SourceGuard lives.
+// GDAL's file systems, observed while a SourceGuard exists.
 #ifndef skyline_GuardedVsi_h
 #define skyline_GuardedVsi_h
 
 namespace skyline
 {
 
-/// From the first AcquireVsi to the last ReleaseVsi every file that GDAL touches in a thread with a
-/// SourceGuard is put to that guard first; in other threads nothing changes.
+/// Between the first AcquireVsi and the last ReleaseVsi, the SourceGuard of a thread is asked about
+/// each file that GDAL opens in that thread. Threads without a SourceGuard are not affected.
 void AcquireVsi();
 void ReleaseVsi();
 

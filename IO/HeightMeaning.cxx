@@ -18,7 +18,8 @@ namespace skyline
 namespace
 {
 
-/// Units that differ by less, relatively, are the same: feet differ by 2e-6, and text is rounded.
+/// Units that differ by less (relatively) are the same. The two definitions of the foot differ by
+/// 2e-6, and units in texts are rounded.
 constexpr double UnitTolerance = 1e-5;
 
 [[noreturn]] void Refuse(const std::string& file, const std::string& reason)
@@ -46,7 +47,7 @@ std::string Metres(double metres)
   return text.data();
 }
 
-/// Metres in one unit of the band's values after scale and offset.
+/// The size in metres of one unit of the band's values after scale and offset.
 double ReadUnit(GDALRasterBand& band, const CoordinateSystem& crs, const std::string& file,
   std::vector<Doubt>& doubts)
 {
@@ -58,7 +59,7 @@ double ReadUnit(GDALRasterBand& band, const CoordinateSystem& crs, const std::st
   {
     Refuse(file,
       "its heights have the unit '" + name +
-        "', which is no known length; give metres or feet (gdal_edit.py -units m)");
+        "', which is not a known length; give metres or feet (gdal_edit.py -units m)");
   }
   for (const char* key : { "units", "unit", "GRIB_UNIT" })
   {
@@ -72,7 +73,7 @@ double ReadUnit(GDALRasterBand& band, const CoordinateSystem& crs, const std::st
   {
     Refuse(file,
       "the metadata of its band name the unit '" + name +
-        "', which is no known length; give metres or feet (gdal_edit.py -units m)");
+        "', which is not a known length; give metres or feet (gdal_edit.py -units m)");
   }
 
   const double vertical = crs.GetVerticalUnit();
@@ -81,7 +82,7 @@ double ReadUnit(GDALRasterBand& band, const CoordinateSystem& crs, const std::st
     if (vertical > 0.0 && std::abs(vertical / metres - 1.0) > UnitTolerance)
     {
       doubts.push_back({ "the heights of '" + file + "' are in '" + name +
-          "' by their band, and in units of " + Metres(vertical) + " by their CRS",
+          "' according to the band, but in units of " + Metres(vertical) + " according to the CRS",
         "the band's unit", "gdal_edit.py -units" });
     }
     return metres;
@@ -92,8 +93,8 @@ double ReadUnit(GDALRasterBand& band, const CoordinateSystem& crs, const std::st
   }
   if (crs.IsOnMap() && std::abs(crs.GetUnit() - 1.0) > UnitTolerance)
   {
-    doubts.push_back({ "the map of '" + file + "' counts in units of " + Metres(crs.GetUnit()) +
-        ", and nothing says in which its heights do",
+    doubts.push_back({ "the map of '" + file + "' is in units of " + Metres(crs.GetUnit()) +
+        ", and the unit of its heights is not given",
       "heights in metres", "gdal_edit.py -units ft" });
   }
   return 1.0;

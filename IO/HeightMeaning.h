@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the values of a band become metres upwards, and what is doubtful about it.
+// How the values of a band are converted to metres above a datum, and which doubts remain.
 #ifndef skyline_HeightMeaning_h
 #define skyline_HeightMeaning_h
 
@@ -20,11 +20,11 @@ struct HeightMeaning
   double Scale = 1.0, Offset = 0.0;
 };
 
-/// The unit is the band's; else that of the band's metadata (units, unit, GRIB_UNIT), else that of the
-/// CRS's vertical axis, else metres. Scale and offset of the band come first. Doubts are added to
-/// `doubts`: units that contradict each other, heights of no unit on a map that does not count in
-/// metres, depths, parts of pictures. IoFailure, which names `file`, for a unit that is no length and a
-/// scale that cannot be used.
+/// The scale and the offset of the band are applied first. The unit is the first of these that is
+/// given: the unit of the band, the unit in its metadata (units, unit, GRIB_UNIT), the unit of the
+/// vertical axis of the CRS, metres. Adds doubts to `doubts` about contradictory units, heights
+/// without a unit on a map that is not in metres, depths, and bands of a picture. Throws IoFailure,
+/// which names `file`, if the unit is not a length or the scale cannot be used.
 HeightMeaning ReadHeightMeaning(GDALDataset& dataset, GDALRasterBand& band,
   const CoordinateSystem& crs, const std::string& file, std::vector<Doubt>& doubts);
 

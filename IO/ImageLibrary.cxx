@@ -21,11 +21,11 @@ namespace
 {
 
 #ifdef SKYLINE_IMAGES_FILE
-/// Threads that libraries of OpenImageIO start when they are loaded (log4cplus, on Debian). Without them
-/// they end the process.
+/// The number of threads that libraries used by OpenImageIO start when they are loaded (log4cplus,
+/// on Debian). If they cannot start them, they end the process.
 constexpr std::size_t LibraryThreads = 4;
 
-/// Throws IoFailure where the system does not give as many threads.
+/// Throws IoFailure if the system does not provide enough threads.
 void CheckThreads()
 {
   std::promise<void> end;
@@ -60,7 +60,7 @@ void CheckThreads()
 const ImageLibrary* Load()
 {
   CheckThreads();
-  // Beside this library, wherever that is: a package, a plugin, a build.
+  // The library lies in the folder of this one: in a package, a plugin or a build tree.
   Dl_info self = {};
   std::string path = SKYLINE_IMAGES_FILE;
   if (::dladdr(reinterpret_cast<const void*>(&ImageLibrary::Get), &self) != 0 && self.dli_fname)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Why a file could not be read or written, on its way from the file code to the VTK class.
+// Why a file could not be read or written, passed from the file code to the VTK class.
 #ifndef skyline_IoFailure_h
 #define skyline_IoFailure_h
 
@@ -11,7 +11,7 @@
 namespace skyline
 {
 
-/// A one-line reason that names the file, the value and the cure, and a vtkErrorCode.
+/// A one-line reason that names the file, the value and the remedy, with a vtkErrorCode.
 class SKYLINEIO_EXPORT IoFailure : public std::runtime_error
 {
 public:
@@ -27,7 +27,7 @@ private:
   unsigned long Code;
 };
 
-/// Someone asked to stop (AbortExecute): no error, and no result.
+/// The user asked to stop (AbortExecute). This is no error, but there is no result.
 class SKYLINEIO_EXPORT IoAborted : public std::runtime_error
 {
 public:

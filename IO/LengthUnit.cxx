@@ -14,8 +14,8 @@ namespace
 
 struct NamedUnit
 {
-  const char* Name; ///< as Normalise spells it
-  double Metres;    ///< 0: a word for "not known"
+  const char* Name; ///< in the form that Normalise returns
+  double Metres;    ///< 0 if the word means "not known"
 };
 
 constexpr std::array<NamedUnit, 36> NamedUnits{ {
@@ -38,7 +38,7 @@ constexpr std::array<NamedUnit, 36> NamedUnits{ {
   { "footussurvey", MetresPerSurveyFoot },
   { "km", 1000.0 },
   { "kilometre", 1000.0 },
-  { "gpm", 1.0 }, // geopotential metre: the height within 0.6 % below 9 km
+  { "gpm", 1.0 }, // geopotential metre: equals the height within 0.6 % below 9 km
   { "geopotentialmetre", 1.0 },
   { "gpkm", 1000.0 },
   { "dam", 10.0 },
@@ -66,7 +66,7 @@ void Replace(std::string& text, const std::string& from, const std::string& to)
   }
 }
 
-/// Small letters and digits only, one spelling, one number.
+/// Reduces a name to lower-case letters and digits, with one spelling and in the singular.
 std::string Normalise(const std::string& name)
 {
   std::string plain;
@@ -79,7 +79,7 @@ std::string Normalise(const std::string& name)
     }
     else if (!std::isspace(byte) && !std::strchr("-_.,()[]", c))
     {
-      plain += '?'; // such as a degree or percent sign: not to be overlooked
+      plain += '?'; // a character such as a degree or percent sign must not be ignored
     }
   }
   Replace(plain, "metres", "metre");
@@ -97,7 +97,7 @@ const NamedUnit* FindUnit(const std::string& name)
   return unit == NamedUnits.end() ? nullptr : unit;
 }
 
-/// True where a product or a power of units begins at or behind `begin`: "s-1", "s**2", "/s".
+/// True if a product or power of units begins at or after `begin`: "s-1", "s**2", "/s".
 bool Multiplies(const std::string& name, std::size_t begin)
 {
   for (std::size_t i = begin; i < name.size(); ++i)
@@ -118,7 +118,7 @@ UnitName ReadUnitName(const std::string& name, double& metres)
   const NamedUnit* unit = FindUnit(name);
   if (!unit)
   {
-    // "metres above mean sea level", but not "m s-1"
+    // Accepts "metres above mean sea level", but not "m s-1".
     const std::size_t begin = name.find_first_not_of(" \t");
     const std::size_t end = name.find_first_of(" \t", begin);
     unit = Multiplies(name, end) ? nullptr : FindUnit(name.substr(begin, end - begin));

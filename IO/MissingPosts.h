@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which values of a band stand for posts without a height.
+// Which values of a band mark missing posts.
 #ifndef skyline_MissingPosts_h
 #define skyline_MissingPosts_h
 
@@ -13,8 +13,8 @@
 namespace skyline
 {
 
-/// Values for "missing", in the digits of the band's own type T: float or double. NaN and infinities are
-/// missing whatever is declared.
+/// The values that mark missing posts, rounded to the type T of the band: float or double. NaN and
+/// infinite values are always missing.
 template <typename T>
 class MissingPosts
 {
@@ -23,7 +23,8 @@ public:
   {
     for (const double value : declared)
     {
-      // A value that T cannot hold is "the lowest number" of another type, converted with the posts.
+      // A value that T cannot hold is the lowest number of a wider type. It became the lowest
+      // number of T when the posts were converted.
       constexpr auto most = static_cast<double>(std::numeric_limits<T>::max());
       const bool finite = std::isfinite(value);
       const double held = finite ? std::clamp(value, -most, most) : value;
@@ -56,11 +57,11 @@ public:
     return missing;
   }
 
-  /// Posts that had the i-th declared value.
+  /// The number of posts that had the i-th declared value.
   std::int64_t GetFound(std::size_t i) const { return this->Found[i]; }
 
 private:
-  /// A value beyond this is "the lowest float" of some program, often printed with six digits.
+  /// A value beyond this is the lowest float of some program, often printed with six digits.
   static constexpr double Huge = 1e30;
   static constexpr double HugeTolerance = 1e-5;
 

@@ -12,14 +12,15 @@ namespace
 
 constexpr std::uint64_t TagBytes = 4, TypeBytes = 4;
 
-/// Bytes of a value of netCDF type 1 (byte) to 11 (ubyte ... uint64); 1 for those that there are not.
+/// Size in bytes of a value of the netCDF types 1 (byte) to 11 (ubyte ... uint64); 1 for other
+/// numbers.
 std::uint64_t ValueBytes(std::uint64_t type)
 {
   constexpr std::uint64_t bytes[] = { 1, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8 };
   return type < sizeof(bytes) / sizeof(bytes[0]) ? bytes[type] : 1;
 }
 
-/// Walks through the header; Fits is false from the first count on that is too large.
+/// Reads through the header. Fits becomes false at the first count that is too large.
 class Walk
 {
 public:
@@ -37,7 +38,7 @@ public:
       this->File.seekg(0, std::ios::end);
       this->Left = static_cast<std::uint64_t>(this->File.tellg()) - sizeof(magic);
       this->File.seekg(sizeof(magic));
-      this->Skip(this->CountBytes); // records
+      this->Skip(this->CountBytes); // the number of records
       this->Dimensions();
       this->Attributes();
       this->Variables();
@@ -74,7 +75,7 @@ private:
     }
   }
 
-  /// A number of elements that take so many bytes each, at least.
+  /// Reads the number of elements that take at least `least` bytes each.
   std::uint64_t Count(std::uint64_t least)
   {
     const std::uint64_t count = this->Number(this->CountBytes);
@@ -82,7 +83,7 @@ private:
     return this->Good ? count : 0;
   }
 
-  /// `count` values, filled up to whole words.
+  /// Skips `count` values and the padding to whole words.
   void Values(std::uint64_t count, std::uint64_t bytes)
   {
     const std::uint64_t all = count * bytes;
@@ -97,7 +98,7 @@ private:
     for (std::uint64_t i = this->Count(2 * this->CountBytes); i > 0 && this->Good; --i)
     {
       this->Name();
-      this->Skip(this->CountBytes); // its length
+      this->Skip(this->CountBytes); // the length of the dimension
     }
   }
 

@@ -26,16 +26,17 @@ namespace skyline
 namespace
 {
 
-/// Bytes read from the file in one go; whole rows of blocks, so at least one of those.
+/// Number of bytes read from the file in one step: whole rows of blocks, at least one row.
 constexpr double StripBytes = 4.0 * 1024 * 1024;
 
-/// Part of a pixel by which rotation may move the raster's far corner: rounding, not rotation.
+/// The part of a pixel by which a rotation term may move the far corner of the raster. A smaller
+/// move is rounding, not rotation.
 constexpr double RotationSlack = 1e-3;
 
-/// VTK's type for the values of a band, and whether float holds each of them exactly.
+/// The VTK type for the values of a band, and whether float holds each of them exactly.
 struct BandType
 {
-  int VtkType = VTK_VOID; ///< VTK_VOID: not a number on the real line
+  int VtkType = VTK_VOID; ///< VTK_VOID if the values are not real numbers
   bool FitsFloat = false;
 };
 
@@ -73,8 +74,8 @@ BandType TypeOf(GDALDataType type)
   }
 }
 
-/// True where the next column lies to the left of the way to the next row, seen from above (at the
-/// centre): the posts' order shows the ground in a mirror.
+/// True if, seen from above at the centre, the next column lies to the left of the direction to the
+/// next row. The posts then show the ground as in a mirror.
 bool IsMirrored(const Georeference& place)
 {
   const PostSteps steps = place.StepsAt(
@@ -185,7 +186,7 @@ void RasterSource::ReadTransform()
   }
 }
 
-/// Refuses a raster that is placed, but not by a geotransform.
+/// Refuses a raster whose position is given, but not by a geotransform.
 void RasterSource::RefuseOtherPlaces() const
 {
   if (this->Dataset->GetGCPCount() > 0)
@@ -225,7 +226,7 @@ void RasterSource::ReadPlace()
   {
     return;
   }
-  // From here on the geotransform is that of the north-up raster with the same posts.
+  // From here on, the geotransform is that of the north-up raster with the same posts.
   std::array<double, 6>& transform = this->Whole.GeoTransform;
   this->MirroredX = (transform[1] < 0.0) != this->Crs.PointsSouthWest();
   this->SouthUp = (transform[5] > 0.0) != this->Crs.PointsSouthWest();
@@ -249,7 +250,8 @@ void RasterSource::ReadPlace()
     this->Crs.Place(this->Whole);
     if (this->Whole.OnBody() && IsMirrored(this->Whole))
     {
-      // Axes south and west (Krovak): seen from above only the other way round.
+      // A CRS whose axes point south and west (Krovak) must be mirrored to show the ground from
+      // above.
       this->MirroredX = !this->MirroredX;
       mirror();
       this->Crs.Place(this->Whole);
@@ -270,7 +272,8 @@ void RasterSource::ReadPlace()
   this->Spacing = { { spacing.X, spacing.Y } };
   if (!this->Crs.IsGeographic())
   {
-    // Columns and rows grow with the image's coordinates, whichever way the map's do.
+    // Columns and rows increase with the coordinates of the image, whatever the directions of the
+    // map.
     const double metresX = transform[1] < 0.0 ? -unit : unit;
     const double metresY = transform[5] > 0.0 ? -unit : unit;
     this->Origin = { { (transform[0] + 0.5 * transform[1]) * metresX,
@@ -371,7 +374,8 @@ void RasterSource::Read(const PostWindow& window, void* heights, const ProgressF
   this->CheckComplaints();
 }
 
-/// Raw values to metres, in place, counting what is no missing post; false when none is a height.
+/// Converts raw values to metres in place and adds the existing heights to the census. Returns
+/// false if no value is a height.
 template <typename T, typename Missing>
 bool RasterSource::Convert(
   T* heights, const unsigned char* mask, std::size_t count, Missing& missing, HeightCensus& census)
@@ -454,11 +458,11 @@ void RasterSource::ReadAs(const PostWindow& window, T* heights, const ProgressFu
   MissingPosts<Real> missing(declared);
   HeightCensus census;
 
-  this->Errors.Clear(); // what happened on opening did not keep the file from opening
+  this->Errors.Clear(); // failures on opening did not prevent it
   bool anyHeight = false;
   for (int row = fileRow; row < fileEnd;)
   {
-    // Strips end where blocks end, so that no block is read twice.
+    // A strip ends at the end of a block, so that no block is read twice.
     const std::int64_t blockEnd = (row / blockRows + blocks) * blockRows;
     const int end = static_cast<int>(
       std::min<std::int64_t>({ fileEnd, static_cast<std::int64_t>(row) + stripRows, blockEnd }));

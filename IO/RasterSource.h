@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One band of a raster file as a lattice of heights: the reader without the pipeline.
+// One band of a raster file as a lattice of heights: the code of the reader that does not depend on
+// VTK's pipeline.
 #ifndef skyline_RasterSource_h
 #define skyline_RasterSource_h
 
@@ -22,53 +23,56 @@
 namespace skyline
 {
 
-/// Posts [ColumnBegin, ColumnBegin + Columns) x [RowBegin, RowBegin + Rows), from the south-west.
+/// The posts [ColumnBegin, ColumnBegin + Columns) x [RowBegin, RowBegin + Rows), counted from the
+/// south-west.
 struct PostWindow
 {
   int ColumnBegin = 0, RowBegin = 0;
   int Columns = 0, Rows = 0;
 };
 
-/// An open band. Every function throws IoFailure with a one-line reason that names the file.
+/// An open band. Each function throws IoFailure with a one-line reason that names the file.
 class RasterSource
 {
 public:
-  /// Opens `file` (anything GDAL opens by the drivers of `policy`) and looks at its band `band` (from
-  /// 1). furtherNodata: values of missing posts besides the one that the file declares, as the band has
-  /// them (before scale and unit). spooled: where the bytes of a pipe are, else empty.
+  /// Opens `file` (any name that GDAL opens with the drivers of `policy`) and examines its band
+  /// `band` (counted from 1). `furtherNodata`: values that mark missing posts in addition to the
+  /// one that the file declares, as stored in the band (before scale and unit). `spooled`: the path
+  /// of the copied bytes if the file is a pipe, else empty.
   RasterSource(const std::string& file, int band, const std::vector<double>& furtherNodata = {},
     const SourcePolicy& policy = {}, const std::string& spooled = "");
 
   PostWindow GetWhole() const { return { 0, 0, this->Columns, this->Rows }; }
 
-  /// VTK's type of the heights: the band's own for integers that are metres as they are, else
-  /// float, or double where float would lose digits of the band.
+  /// The VTK type of the heights: the type of the band if its integers are metres already, else
+  /// float, or double if float would lose digits.
   int GetVtkType() const { return this->VtkType; }
 
-  /// Metres between columns and between rows, of the centre row where rows differ.
+  /// Distance between columns and between rows in metres, at the centre row if the rows differ.
   const std::array<double, 2>& GetSpacing() const { return this->Spacing; }
 
-  /// Metres: the south-west post's CRS coordinates on a projected or local map, else 0.
+  /// The CRS coordinates of the south-west post in metres, on a projected or local map; else 0.
   const std::array<double, 2>& GetOrigin() const { return this->Origin; }
 
-  /// The georeference of part of the raster. Its row spacings are the whole raster's.
+  /// The georeference of a part of the raster. Its row spacings are those of the whole raster.
   Georeference GetGeoreference(const PostWindow& window) const;
 
-  /// The files that the raster is read from, as GDAL knows them.
+  /// The files that the raster is read from, according to GDAL.
   std::vector<std::string> GetFiles() const;
 
   bool HasNodata() const { return this->DeclaresNodata; }
   double GetNodata() const { return this->Nodata; }
 
-  /// What is doubtful about the raster: its place and unit, and after Read its heights.
+  /// The doubts about the raster: those about its place and unit, and after Read those about its
+  /// heights.
   const std::vector<Doubt>& GetDoubts() const { return this->Doubts; }
 
-  /// Called with the part done (0 to 1); false stops the reading.
+  /// A function that receives the completed part (0 to 1) and returns false to stop the reading.
   using ProgressFunction = std::function<bool(double)>;
 
-  /// Reads the heights of a window into `heights`, an array of GetVtkType with row 0 in the south:
-  /// metres, NaN where missing. Throws IoAborted when `progress` says so, and IoFailure when every
-  /// post of the whole raster is missing.
+  /// Reads the heights of a window into `heights`, an array of the type GetVtkType: metres, row 0
+  /// in the south, NaN for missing posts. Throws IoAborted if `progress` returns false, and
+  /// IoFailure if all posts of the raster are missing.
   void Read(const PostWindow& window, void* heights, const ProgressFunction& progress);
 
 private:
@@ -95,12 +99,12 @@ private:
   void CheckSpacing() const;
   void DoubtHeights(const HeightCensus& census);
 
-  GdalErrors Errors; // first, so that closing the file is quiet too
-  // Reading a file through gzip leaves no note of its size beside it.
+  GdalErrors Errors; // first, so that closing the file prints nothing
+  // GDAL must not leave a file with the size beside a gzip file that it reads.
   CPLConfigOptionSetter NoNotes{ "CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO", false };
   std::string File;
-  std::string Opened; ///< what GDAL opens in place of a pipe
-  SourceGuard Guard;  // before the dataset, which opens its sources when they are read
+  std::string Opened; ///< the name that GDAL opens; differs from File for a pipe
+  SourceGuard Guard;  // before Dataset, which opens its sources only when it reads them
   std::vector<double> FurtherNodata;
   std::vector<Doubt> Doubts;
   std::unique_ptr<GDALDataset, Closer> Dataset;
@@ -109,15 +113,15 @@ private:
   int VtkType = 0;
   CoordinateSystem Crs;
   Georeference Whole;
-  bool MirroredX = false; ///< the file's first column is the eastern one
-  bool SouthUp = false;   ///< the file's first row is the southern one
+  bool MirroredX = false; ///< the first column of the file is the eastern one
+  bool SouthUp = false;   ///< the first row of the file is the southern one
   std::array<double, 2> Spacing{ { 1.0, 1.0 } };
   std::array<double, 2> Origin{ { 0.0, 0.0 } };
-  bool Plain = true;                ///< heights are the band's values as they are
+  bool Plain = true;                ///< heights are the band's values, unchanged
   double Scale = 1.0, Offset = 0.0; ///< metres = value * Scale + Offset
   bool DeclaresNodata = false;
   double Nodata = 0.0;
-  bool HasMask = false; ///< the file has a mask or alpha band
+  bool HasMask = false; ///< the file has a mask or an alpha band
 };
 
 } // namespace skyline

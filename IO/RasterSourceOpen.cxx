@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Opening: what is refused or doubted before a height is read.
+// Opening a raster: what is refused or doubted before any height is read.
 #include "RasterSource.h"
 
 #include "DeclaredCrs.h"
@@ -12,7 +12,7 @@
 namespace skyline
 {
 
-/// What the file leads to and may not comes before what GDAL made of it.
+/// A forbidden file is reported first: what GDAL reports may be its consequence.
 void RasterSource::CheckRefusal() const
 {
   if (!this->Guard.GetRefusal().empty())
@@ -21,8 +21,8 @@ void RasterSource::CheckRefusal() const
   }
 }
 
-/// What GDAL complained about so far: a failure is refused although the file opened, for GDAL goes on
-/// without the CRS, mask or georeference that it could not read.
+/// Refuses the file if GDAL reported a failure, although the file opened: GDAL continues without a
+/// CRS, mask or georeference that it could not read. Warnings of GDAL become doubts.
 void RasterSource::CheckComplaints()
 {
   this->CheckRefusal();
@@ -39,7 +39,7 @@ void RasterSource::CheckComplaints()
   {
     if (warning.rfind("PROJ: ", 0) == 0)
     {
-      refuse(warning); // without PROJ's database a CRS loses units and axes
+      refuse(warning); // without PROJ's database, a CRS loses its units and axes
     }
     this->Doubts.push_back(
       { "GDAL warns about '" + this->File + "': " + warning, "the file was read correctly", "" });
@@ -60,7 +60,7 @@ void RasterSource::FailToOpen()
   const bool found = VSIStatL(this->Opened.c_str(), &status) == 0;
   const unsigned long code =
     found ? vtkErrorCode::UnrecognizedFileTypeError : vtkErrorCode::FileNotFoundError;
-  // GDAL begins with the name that ours begins with.
+  // GDAL's message begins with the file name, as ours does.
   std::string reason = this->Errors.First();
   const std::string name = this->Opened + ": ";
   reason.erase(0, reason.rfind(name, 0) == 0 ? name.size() : 0);
@@ -69,7 +69,8 @@ void RasterSource::FailToOpen()
       (found ? "; give a raster that gdalinfo can open" : "; check the path"));
 }
 
-/// No CRS is a map in metres; a CRS that could not be read is not.
+/// Without a CRS, the raster is a map in metres. This must not be assumed if it has a CRS that
+/// could not be read.
 void RasterSource::CheckCrs()
 {
   const OGRSpatialReference* crs = this->Dataset->GetSpatialRef();
@@ -77,7 +78,7 @@ void RasterSource::CheckCrs()
   {
     return;
   }
-  this->CheckComplaints(); // which say more
+  this->CheckComplaints(); // GDAL's messages are more precise
   this->RefuseOtherPlaces();
   const UnreadCrs unread = FindUnreadCrs(*this->Dataset);
   if (!unread.Part.empty())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What readers have in common: a file's name, and failures that become errors of one line.
+// What the readers share: the check of the file name, and the conversion of exceptions to one-line
+// errors.
 #ifndef skyline_ReadGuard_h
 #define skyline_ReadGuard_h
 
@@ -15,8 +16,9 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// Runs work(fileName) and returns the vtkErrorCode, NoError if it succeeded. Failures are reported as
-/// an error of `reader`; an abort is UserError without a report. lessMemory: how to need less of it.
+/// Calls work(fileName) and returns a vtkErrorCode, NoError on success. A failure is reported as an
+/// error of `reader`. An abort returns UserError and reports nothing. `lessMemory` says how to need
+/// less memory.
 unsigned long GuardRead(vtkObject* reader, const char* fileName, const char* lessMemory,
   const std::function<void(const std::string&)>& work);
 

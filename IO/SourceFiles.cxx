@@ -31,28 +31,29 @@ namespace skyline
 namespace
 {
 
-/// What stands before and after a file in GDAL's names, as in NETCDF:"f.nc":v, vrt://f.tif?bands=1,
-/// /vsizip/{f.zip}/g.tif, /vsisubfile/100_200,f.tif.
+/// Characters that enclose a file name in GDAL's longer names, for instance in NETCDF:"f.nc":v,
+/// vrt://f.tif?bands=1, /vsizip/{f.zip}/g.tif, /vsisubfile/100_200,f.tif.
 constexpr const char* Marks = ":\"'?&=,|{}";
 
-/// Longer texts name no file.
+/// A longer text is not a file name.
 constexpr std::size_t LongestName = 4096;
 
-/// Marks and slashes in a name of a file, at most.
+/// The greatest number of these characters and slashes in a file name.
 constexpr std::size_t MostMarks = 64;
 
-/// What may lie beside a raster: behind its whole name, and in place of its extension.
+/// Files that may lie beside a raster: with this text after the whole name, or in place of the
+/// extension.
 constexpr std::array<const char*, 4> Behind{ { ".aux.xml", ".ovr", ".msk", ".hdr" } };
 constexpr std::array<const char*, 10> Instead{ { ".hdr", ".prj", ".aux", ".rrd", ".ige", ".rde",
   ".tfw", ".wld", ".clr", ".stx" } };
 
-/// How a virtual raster begins, within so many bytes.
+/// How a virtual raster begins, and the number of bytes in which this text must stand.
 constexpr std::size_t HeadBytes = 1024;
 constexpr std::array<const char*, 2> VirtualRasters{ { "<VRTDataset", "<GDALTileIndexDataset" } };
 
 using Identity = std::pair<dev_t, ino_t>;
 
-/// Looks for endangered files among those of inputs.
+/// Searches the files of inputs for the files that an output would replace.
 class Search
 {
 public:
@@ -70,7 +71,7 @@ public:
 
   bool IsNeeded() const { return !this->Endangered.empty(); }
 
-  /// Whether the input of that name has such a file.
+  /// True if the input named `name` contains one of those files.
   bool Finds(const std::string& name)
   {
     const std::size_t begin = name.find_first_not_of(" \t\r\n");
@@ -85,7 +86,8 @@ public:
 private:
   using XmlTree = std::unique_ptr<CPLXMLNode, decltype(&CPLDestroyXMLNode)>;
 
-  /// Tries every part of a name between marks, and before each slash: a file may be a folder to GDAL.
+  /// Tries each part of a name between marks and before each slash, because GDAL may treat a file
+  /// as a folder.
   bool FindsInName(const std::string& name, const std::string& folder)
   {
     if (name.empty() || name.size() > LongestName)
@@ -94,7 +96,7 @@ private:
     }
     if (name.rfind("/vsistdin/", 0) == 0 && this->FindsAt("/dev/stdin", folder))
     {
-      return true; // the shell's <
+      return true; // standard input
     }
     std::vector<std::size_t> begins{ 0 }, ends{ name.size() };
     for (std::size_t i = 0; i < name.size(); ++i)
@@ -116,7 +118,7 @@ private:
     }
     if (begins.size() > MostMarks || ends.size() > MostMarks)
     {
-      begins.resize(1); // a text, not the name of a file: an XML, say
+      begins.resize(1); // a text such as XML, not a file name
       ends.resize(1);
     }
     for (const std::size_t begin : begins)
@@ -191,7 +193,7 @@ private:
     return this->FindsInTree(tree.get(), slash == std::string::npos ? "." : path.substr(0, slash));
   }
 
-  /// Any text of it may be a name.
+  /// Each text in the tree may be a file name.
   bool FindsInTree(const CPLXMLNode* node, const std::string& folder)
   {
     for (; node; node = node->psNext)

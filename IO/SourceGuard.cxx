@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 thread_local SourceGuard* Current = nullptr;
 
-/// How GDAL would have opened by the drivers that Gate stands before.
+/// The original open functions of a driver whose functions Gate replaces.
 struct Opener
 {
   GDALDataset* (*Open)(GDALOpenInfo*) = nullptr;
@@ -32,11 +32,11 @@ struct Opener
 std::mutex OpenersMutex;
 std::map<GDALDriver*, Opener>& Openers()
 {
-  static auto* openers = new std::map<GDALDriver*, Opener>; // as long as GDAL itself
+  static auto* openers = new std::map<GDALDriver*, Opener>; // never deleted, as GDAL itself
   return *openers;
 }
 
-/// Without links and dots; a path that does not exist as far as it does.
+/// The path without links and dots. If the path does not exist, the part that exists is resolved.
 std::string Canonical(const std::string& path)
 {
   std::error_code failed;
@@ -45,10 +45,11 @@ std::string Canonical(const std::string& path)
   return failed ? absolute.lexically_normal().string() : canonical.string();
 }
 
-/// What may stand before and after a path in one of GDAL's longer names: NETCDF:"a.nc":z.
+/// Characters that may enclose a path in GDAL's longer names: NETCDF:"a.nc":z.
 constexpr const char* Edges = ":\"'{}<>?,= ";
 
-/// Whether a name asks a library for a server by itself: NETCDF:"http://...". Not HDF5:"a.h5"://z.
+/// True if a name tells a library to contact a server itself, as NETCDF:"http://..." does; not
+/// HDF5:"a.h5"://z.
 bool HasUrl(const std::string& name)
 {
   for (std::size_t at = name.find("://"); at != std::string::npos; at = name.find("://", at + 1))
@@ -67,14 +68,14 @@ bool HasUrl(const std::string& name)
   return false;
 }
 
-/// Where GDAL and its formats keep their own tables.
+/// The folder in which GDAL and its formats keep their own tables.
 std::string DataFolder()
 {
   const char* found = CPLFindFile("gdal", "gdalvrt.xsd");
   return found ? CPLGetDirname(found) : "";
 }
 
-/// Without an error GDAL would go on to the next driver.
+/// Sets an error silently. Without an error, GDAL would try the next driver.
 void QuietFailure(const std::string& name)
 {
   CPLPushErrorHandler(CPLQuietErrorHandler);
@@ -88,7 +89,7 @@ CPLHTTPResult* RefuseFetch(
   SourceGuard* guard = SourceGuard::GetCurrent();
   if (!guard || guard->MayUseNetwork(url))
   {
-    return nullptr; // GDAL fetches it
+    return nullptr; // GDAL fetches the data
   }
   auto* result = static_cast<CPLHTTPResult*>(CPLCalloc(1, sizeof(CPLHTTPResult)));
   result->nStatus = 1;
@@ -116,7 +117,7 @@ SourceGuard::SourceGuard(
   {
     this->AddFolder(own);
   }
-  GDALGetCacheMax64(); // once, for which GDAL looks at the machine
+  GDALGetCacheMax64(); // GDAL inspects the machine here, once
   HookFirstDriver();
   AcquireVsi();
   CPLHTTPPushFetchCallback(&RefuseFetch, nullptr);
@@ -147,7 +148,8 @@ void SourceGuard::HookFirstDriver()
   }
 }
 
-/// Stands before the driver that GDAL asks first, whatever it opens and wherever the name came from.
+/// Replaces the open function of the driver that GDAL asks first, so that it is called for each
+/// name that is opened, wherever the name comes from.
 GDALDataset* SourceGuard::Gate(GDALDriver* driver, GDALOpenInfo* info)
 {
   if (Current)
@@ -168,7 +170,7 @@ GDALDataset* SourceGuard::Gate(GDALDriver* driver, GDALOpenInfo* info)
                             : nullptr;
 }
 
-/// Opens in place of GDAL, which would ask every driver.
+/// Opens a raster in place of GDAL, which would try every driver.
 GDALDataset* SourceGuard::OpenNested(GDALOpenInfo* info)
 {
   const std::string name = info->pszFilename;
@@ -193,7 +195,7 @@ GDALDataset* SourceGuard::OpenNested(GDALOpenInfo* info)
   return dataset;
 }
 
-/// Whether a driver may be given the path.
+/// True if a driver may read the path.
 bool SourceGuard::MayRead(const std::string& path)
 {
   if (!this->MayTouch(path.c_str()))
@@ -206,16 +208,17 @@ bool SourceGuard::MayRead(const std::string& path)
     return true;
   }
   this->Refuse((path == this->File ? "its" : "it leads to '" + path + "', whose") +
-    std::string(" netCDF header counts more than the file holds; fetch the file again"));
+    std::string(" netCDF header declares more data than the file holds; fetch the file again"));
   return false;
 }
 
-/// Judges what libraries open past GDAL's file systems: paths and URLs inside of longer names.
+/// Judges names that libraries open without GDAL's file systems: paths and URLs inside longer
+/// names.
 bool SourceGuard::MayOpen(const std::string& name)
 {
   if (!name.empty() && name[0] == '<')
   {
-    return true; // a virtual raster in full; its sources are judged when they are opened
+    return true; // the XML of a virtual raster; its sources are judged when they are opened
   }
   if (HasUrl(name) && !this->MayUseNetwork(name.c_str()))
   {
@@ -224,7 +227,7 @@ bool SourceGuard::MayOpen(const std::string& name)
   std::error_code failed;
   if (fs::exists(name, failed))
   {
-    return this->MayRead(name); // one path, whatever marks are in it
+    return this->MayRead(name); // a single path, whatever characters it contains
   }
   for (std::size_t begin = 0; begin < name.size();)
   {
@@ -262,9 +265,8 @@ std::string SourceGuard::DriverRefusal(const std::string& name)
     return "";
   }
   const std::string what = name == this->File ? "it is" : "it leads to '" + name + "',";
-  return what + " of the kind " + kind +
-    ", which is not among the formats opened by default; use --driver " + kind +
-    " if you trust it (and --allow-network if it lies on a server)";
+  return what + " of the format " + kind + ", which is not opened by default; use --driver " +
+    kind + " if you trust it (and --allow-network if it lies on a server)";
 }
 
 void SourceGuard::Refuse(const std::string& reason)
@@ -296,7 +298,7 @@ bool SourceGuard::IsHarmless(const std::string& prefix)
 
 bool SourceGuard::MayUseSystem(const char* prefix, const char* name)
 {
-  // What the caller named by himself: files of his own program.
+  // The user named this file system in the file name, so that its files may belong to his program.
   if (this->Policy.AllowElsewhere || this->File.find(prefix) != std::string::npos)
   {
     return true;
@@ -322,7 +324,7 @@ bool SourceGuard::MayTouch(const char* path, bool create)
   const fs::file_status status = fs::status(name, failed);
   if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
   {
-    // Whoever opens a pipe that nobody writes waits for ever.
+    // Opening a pipe that nobody writes would wait forever.
     this->Refuse("it leads to '" + name + "', a pipe or a device; name a regular file in it");
     return false;
   }
@@ -332,9 +334,9 @@ bool SourceGuard::MayTouch(const char* path, bool create)
   }
   if (this->IsBelow(name) || (!create && !fs::exists(fs::symlink_status(name, failed))))
   {
-    return true; // there, or nowhere
+    return true; // a file of GDAL itself, or no file at all
   }
-  // GDAL asks these for the memory that it may take.
+  // GDAL reads these files to find out how much memory it may use.
   const bool machine = name.rfind("/sys/fs/cgroup", 0) == 0 || name == "/proc/self/status" ||
     name == "/proc/meminfo" || name == "/proc/self/cgroup";
   if (!machine)
@@ -350,20 +352,20 @@ bool SourceGuard::SpellsOut(const std::string& path) const
   std::error_code missing;
   if (fs::exists(this->File, missing))
   {
-    return path == this->File; // one path, whatever marks are in it
+    return path == this->File; // a single path, whatever characters it contains
   }
   for (std::size_t at = this->File.find(path); at != std::string::npos;
        at = this->File.find(path, at + 1))
   {
     const std::size_t end = at + path.size();
     std::string edges = Edges;
-    edges += this->File.rfind("/vsi", 0) == 0 ? "/" : ""; // a path after a file system's name
+    edges += this->File.rfind("/vsi", 0) == 0 ? "/" : ""; // a path after a system's prefix
     const bool begins = at == 0 || edges.find(this->File[at - 1]) != std::string::npos ||
       (at >= 3 && this->File.compare(at - 3, 3, "://") == 0); // as in vrt://dem.tif
     const bool ends = end == this->File.size() || edges.find(this->File[end]) != std::string::npos;
     if (begins && ends)
     {
-      // Within a path, only an archive ends here.
+      // If the path continues here, only an archive can end here.
       std::error_code failed;
       const bool within = end < this->File.size() && this->File[end] == '/';
       return !within || fs::is_regular_file(path, failed);
@@ -402,7 +404,7 @@ void SourceGuard::AddFolderOf(const std::string& path)
   {
     return;
   }
-  // A coverage of Arc/Info keeps its tables beside its folder.
+  // An Arc/Info coverage keeps its tables in a folder beside its own.
   for (const std::string& folder : std::vector<std::string>(this->Folders))
   {
     if (fs::exists(folder + "hdr.adf", failed))
@@ -418,7 +420,7 @@ bool SourceGuard::IsBelow(const std::string& path) const
   return std::any_of(this->Folders.begin(), this->Folders.end(),
     [&](const std::string& folder)
     {
-      if (folder == "/") // everything is below
+      if (folder == "/") // every path is below the root
       {
         return canonical.find('/', 1) == std::string::npos;
       }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keeps GDAL, while one file is read, from what the file's maker chose and its reader did not.
+// Prevents GDAL from reading, together with a file, other files or servers that the user did not
+// choose.
 #ifndef skyline_SourceGuard_h
 #define skyline_SourceGuard_h
 
@@ -14,43 +15,46 @@
 namespace skyline
 {
 
-/// While one lives, whatever GDAL opens in this thread is held to a policy, in every depth: the
-/// sources of a virtual raster, masks, overviews, files named inside of other formats. Other
-/// threads are not concerned. It lives and dies in one thread, the last one first.
+/// While an object of this class exists, each file that GDAL opens in this thread is checked
+/// against a policy, at every depth: sources of a virtual raster, masks, overviews, files named
+/// inside other formats. Other threads are not affected. It must be created and destroyed in the
+/// same thread, in reverse order if there are several.
 class SourceGuard
 {
 public:
-  /// `file`: the name that was asked for. Any file that this name spells out is asked for too, and so
-  /// are those in its folder and below. `folder`: a further folder, or empty. Throws IoFailure for an
-  /// unknown driver.
+  /// `file`: the name that the user asked for. Each file that this name contains is allowed, and so
+  /// are the files in its folder and below. `folder`: a further allowed folder, or empty. Throws
+  /// IoFailure for an unknown driver.
   SourceGuard(const std::string& file, const SourcePolicy& policy, const std::string& folder = "");
   ~SourceGuard();
   SourceGuard(const SourceGuard&) = delete;
   SourceGuard& operator=(const SourceGuard&) = delete;
 
-  /// Opens a raster for reading by the drivers of the policy; null if that fails.
+  /// Opens a raster for reading with the drivers of the policy. Returns null on failure.
   GDALDataset* Open(const std::string& name);
 
-  /// What was refused first, as the part of a sentence that follows the file's name, with the option
-  /// that allows it; empty: nothing.
+  /// The first refusal, as the part of a sentence that follows the file name, with the option that
+  /// allows the access; empty if nothing was refused.
   const std::string& GetRefusal() const { return this->Refusal; }
 
-  /// The refusal if `name` can only be opened by a driver outside the policy, else empty.
+  /// The refusal if only a driver outside the policy can open `name`, else empty.
   std::string DriverRefusal(const std::string& name);
 
-  /// The guard of this thread; null: none.
+  /// The guard of this thread, or null if there is none.
   static SourceGuard* GetCurrent();
 
-  /// Whether a file on a local disk may be touched, and the like for names of GDAL's other file
-  /// systems ("/vsi..."). Remembers a refusal.
+  /// True if a file on a local disk may be opened; the two other functions decide the same for
+  /// names in GDAL's other file systems ("/vsi..."). A refusal is stored.
   bool MayTouch(const char* path, bool create = false);
   bool MayUseNetwork(const char* name);
   bool MayUseSystem(const char* prefix, const char* name);
 
-  /// Archives, memory and parts of files, by their prefix: what they read in turn is judged by itself.
+  /// True for archives, memory and parts of files, by their prefix. The files that they read in
+  /// turn are judged separately.
   static bool IsHarmless(const std::string& prefix);
 
-  /// True while GDAL fetches from the network, which reads certificates and passwords of its own.
+  /// True while GDAL reads from the network, for which it reads certificates and passwords of its
+  /// own.
   bool Suspended = false;
 
 private:
@@ -69,14 +73,14 @@ private:
   SourcePolicy Policy;
   std::vector<std::string> DriverNames;
   CPLStringList Drivers;
-  std::vector<std::string> Folders; ///< without links, ending in /
+  std::vector<std::string> Folders; ///< without links, each ending in /
   std::string Refusal;
-  std::string Passing; ///< the name whose drivers were already chosen
+  std::string Passing; ///< the name for which the drivers were already chosen
   SourceGuard* Outer = nullptr;
-  // In this thread alone. Decoding in GDAL's own threads would be out of our hearing.
+  // Everything must happen in this thread, because threads of GDAL have no guard.
   CPLConfigOptionSetter OneThread{ "GDAL_NUM_THREADS", "1", false };
   CPLConfigOptionSetter OneVirtualThread{ "VRT_NUM_THREADS", "1", false };
-  // A server that falls silent is given up.
+  // Reading from a server that stops answering is given up.
   CPLConfigOptionSetter ConnectTime{ "GDAL_HTTP_CONNECTTIMEOUT", "20", true };
   CPLConfigOptionSetter SilentTime{ "GDAL_HTTP_LOW_SPEED_TIME", "20", true };
   CPLConfigOptionSetter SilentBytes{ "GDAL_HTTP_LOW_SPEED_LIMIT", "1", true };

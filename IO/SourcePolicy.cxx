@@ -12,18 +12,18 @@ namespace skyline
 
 const std::vector<std::string>& DefaultDrivers()
 {
-  static const std::vector<std::string> drivers{ // virtual, and in memory
+  static const std::vector<std::string> drivers{ // virtual rasters and rasters in memory
     "VRT", "DERIVED", "MEM",
-    // maps of today
+    // common formats
     "GTiff", "COG", "GPKG", "HFA", "JP2OpenJPEG", "JP2KAK", "JP2ECW", "PNG", "JPEG", "WEBP", "TGA",
     "BMP", "PNM", "ENVI", "EHdr", "GenBin", "ISCE", "ROI_PAC", "RRASTER", "PCIDSK", "ERS", "KRO",
-    // sciences
+    // science
     "netCDF", "HDF4", "HDF4Image", "HDF5", "HDF5Image", "BAG", "GRIB", "FITS", "Zarr", "R",
     // terrain
     "AIG", "AAIGrid", "GRASSASCIIGrid", "DTED", "SRTMHGT", "USGSDEM", "SDTS", "NITF", "BT",
     "Leveller", "Terragen", "JDEM", "HF2", "SIGDEM", "LCP", "ACE2", "SNODAS", "XYZ", "CTG", "RIK",
     "PRF", "BLX", "MFF", "MFF2",
-    // programs of geography and geology
+    // programs for geography and geology
     "SAGA", "GSAG", "GSBG", "GS7BG", "RST", "ILWIS", "PCRaster", "ZMap", "GXF", "NWT_GRD", "RMF",
     "ELAS", "LAN", "PAux", "ARG", "IRIS",
     // planets
@@ -37,7 +37,7 @@ const std::vector<std::string>& DefaultDrivers()
 namespace
 {
 
-/// They talk to servers by themselves.
+/// True for drivers that contact servers by themselves.
 bool IsOfTheNetwork(const std::string& driver)
 {
   for (const char* name : { "DAAS", "EEDAI", "GeoRaster", "HTTP", "NGW", "OGCAPI", "PLMOSAIC",
@@ -58,7 +58,7 @@ std::vector<std::string> AllowedDrivers(const SourcePolicy& policy)
   std::vector<std::string> drivers = DefaultDrivers();
   if (policy.AllowNetwork)
   {
-    drivers.emplace_back("HTTP"); // a file by its URL
+    drivers.emplace_back("HTTP"); // opens a file by its URL
   }
   for (const std::string& name : policy.Drivers)
   {

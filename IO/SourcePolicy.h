@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a file of heights may lead to while it is read.
+// Which other files a height file may refer to while it is read.
 #ifndef skyline_SourcePolicy_h
 #define skyline_SourcePolicy_h
 
@@ -9,20 +9,21 @@
 namespace skyline
 {
 
-/// A raster can name others: sources, masks, overviews, servers. Whoever made the file chose those
-/// names, so by default they count only beside the file, and only in formats of local rasters.
+/// A raster can name other files: sources, masks, overviews, servers. These names were chosen by
+/// the author of the file. By default they are followed only inside the folder of the file, and
+/// only in formats of local rasters.
 struct SourcePolicy
 {
   bool AllowNetwork = false;   ///< URLs and GDAL's network file systems (/vsicurl/, /vsis3/ ...)
-  bool AllowElsewhere = false; ///< files outside the folder of the file that was asked for
-  std::vector<std::string> Drivers; ///< GDAL's short names, beside those of DefaultDrivers
+  bool AllowElsewhere = false; ///< files outside the folder of the file that the user named
+  std::vector<std::string> Drivers; ///< short names of GDAL's drivers besides DefaultDrivers
 };
 
-/// GDAL's drivers of local rasters in which heights come, by their short names.
+/// The short names of GDAL's drivers for local rasters that may contain heights.
 const std::vector<std::string>& DefaultDrivers();
 
-/// The drivers that `policy` lets open a file. Throws IoFailure for a name that GDAL does not know, and
-/// for a driver that reads from servers without AllowNetwork.
+/// The drivers with which `policy` allows a file to be opened. Throws IoFailure for a name that
+/// GDAL does not know, and for a driver that reads from servers if AllowNetwork is false.
 std::vector<std::string> AllowedDrivers(const SourcePolicy& policy);
 
 } // namespace skyline

@@ -66,7 +66,7 @@ private:
   int Number;
 };
 
-/// A file that vanishes with its descriptor.
+/// Opens a file that is removed when its descriptor is closed.
 int OpenTemporary()
 {
   const char* folder = std::getenv("TMPDIR");
@@ -93,7 +93,7 @@ int OpenStream(const std::string& file)
   {
     return STDIN_FILENO;
   }
-  // Without O_NONBLOCK a named pipe that nobody writes would wait here for ever.
+  // Without O_NONBLOCK, opening a named pipe that nobody writes would wait forever.
   const int stream = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
   if (stream < 0)
   {
@@ -102,7 +102,7 @@ int OpenStream(const std::string& file)
   return stream;
 }
 
-/// Devices have no end: /dev/zero would fill the disk.
+/// Refuses devices, because they have no end: /dev/zero would fill the disk.
 void CheckKind(const std::string& file, int stream)
 {
   struct stat status = {};
@@ -116,7 +116,7 @@ void CheckKind(const std::string& file, int stream)
   }
 }
 
-/// Whether standard input is a file, from its first byte on.
+/// True if standard input is a regular file that is read from its first byte.
 bool IsWholeFile(int stream)
 {
   struct stat status = {};
@@ -130,7 +130,7 @@ bool IsPipe(int stream)
   return ::fstat(stream, &status) == 0 && S_ISFIFO(status.st_mode);
 }
 
-/// Waits for bytes or the end, or for `patience` seconds: then false.
+/// Waits for bytes or the end of the stream. Returns false after `patience` seconds.
 bool Wait(const std::string& file, int stream, double patience, const std::function<bool()>& goOn)
 {
   const auto begin = std::chrono::steady_clock::now();
@@ -164,7 +164,7 @@ void Copy(const std::string& file, int stream, int target, const std::function<b
 {
   std::vector<char> chunk(ChunkBytes);
   bool started = false;
-  // A named pipe may have no writer, which only reading from it tells.
+  // A named pipe may have no writer; only a read shows this.
   bool hasWriter = stream == STDIN_FILENO || !IsPipe(stream);
   for (;;)
   {
@@ -227,7 +227,7 @@ bool StreamSpool::IsStream(const std::string& file)
 std::shared_ptr<StreamSpool> StreamSpool::Read(
   const std::string& file, const std::function<bool()>& goOn)
 {
-  static std::mutex mutex; // of standard input, which is read once
+  static std::mutex mutex; // for standard input, which is read once
   static std::shared_ptr<StreamSpool> input;
   std::unique_lock<std::mutex> lock(mutex, std::defer_lock);
   if (IsStandardInput(file))
@@ -245,7 +245,7 @@ std::shared_ptr<StreamSpool> StreamSpool::Read(
     const int again = ::open("/proc/self/fd/0", O_RDONLY | O_CLOEXEC);
     if (again >= 0)
     {
-      return std::shared_ptr<StreamSpool>(new StreamSpool(again)); // nothing to copy
+      return std::shared_ptr<StreamSpool>(new StreamSpool(again)); // the bytes are there already
     }
   }
   Descriptor target(OpenTemporary());

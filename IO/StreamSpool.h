@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file that can be read only once, kept so that it can be read as often as a reader needs.
+// A copy of a file that can be read only once, so that a reader can read it several times.
 #ifndef skyline_StreamSpool_h
 #define skyline_StreamSpool_h
 
@@ -10,20 +10,21 @@
 namespace skyline
 {
 
-/// The bytes of a pipe, a terminal or a socket in a temporary file without a name.
+/// The bytes of a pipe, a terminal or a socket, copied to a temporary file without a name.
 class StreamSpool
 {
 public:
-  /// Seconds that a named pipe may have no writer, and that a stream may stay silent.
+  /// How long a named pipe may have no writer, and how long a stream may send nothing, in seconds.
   static constexpr double WriterPatience = 10.0;
   static constexpr double SilencePatience = 600.0;
 
-  /// True for standard input by its names (/vsistdin/, /dev/stdin) and for named pipes and sockets.
+  /// True for the names of standard input (/vsistdin/, /dev/stdin) and for named pipes and sockets.
   static bool IsStream(const std::string& file);
 
-  /// Reads all of it. `goOn` is asked ten times a second, and false stops with IoAborted. Throws
-  /// IoFailure where nobody writes, nothing comes or the disk is full. Standard input is read once in
-  /// a program: who asks again gets the same bytes.
+  /// Reads the whole stream. `goOn` is called ten times a second; if it returns false, the reading
+  /// stops with IoAborted. Throws IoFailure if no program writes to the stream, if no bytes arrive,
+  /// or if the disk is full. Standard input is read once in a process; later calls return the same
+  /// bytes.
   static std::shared_ptr<StreamSpool> Read(
     const std::string& file, const std::function<bool()>& goOn);
 
@@ -31,7 +32,7 @@ public:
   StreamSpool(const StreamSpool&) = delete;
   StreamSpool& operator=(const StreamSpool&) = delete;
 
-  /// What to call the bytes, as a path.
+  /// A path under which the bytes can be read.
   std::string GetName() const;
 
 private:
@@ -40,7 +41,7 @@ private:
   {
   }
 
-  int File; ///< descriptor
+  int File; ///< a file descriptor
 };
 
 } // namespace skyline

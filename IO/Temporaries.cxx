@@ -25,27 +25,30 @@ namespace skyline
 namespace
 {
 
-/// ".skyline-held-PROCESS-NUMBER.part.EXTENSION": files named so are locked as long as they are used.
+/// Temporaries are named ".skyline-held-PROCESS-NUMBER.part.EXTENSION" and are locked while they
+/// are in use.
 constexpr const char* NameBegin = ".skyline-held-";
 constexpr const char* NameMiddle = ".part";
 
-/// What may lie beside a temporary: GDAL's metadata, our intermediate, the COG driver's overviews.
-/// The file itself is the last: a name that is there without it is nobody's.
+/// Files that may lie beside a temporary: GDAL's metadata, our intermediate file, overviews of the
+/// COG driver. The temporary itself (empty suffix) is removed last: a side file without its
+/// temporary has no owner.
 constexpr const char* MetadataSuffix = ".aux.xml";
 constexpr std::array<const char*, 6> Suffixes{ { MetadataSuffix, IntermediateSuffix,
   ".part.tif.aux.xml", ".ovr.tmp", ".msk.ovr.tmp", "" } };
 constexpr std::size_t LongestSuffix = 32;
 
-/// "TEMPORARY.of.NAME": the side file NAME of the raster that TEMPORARY is about to replace. Whoever
-/// removes the temporary gives it its name back; where the temporary is gone otherwise, it was renamed,
-/// and the side file is that of a raster that is no more.
+/// "TEMPORARY.of.NAME" is the side file NAME of the raster that TEMPORARY is about to replace.
+/// Whoever removes the temporary renames the side file back to NAME. If the temporary no longer
+/// exists for another reason, it has replaced the raster, and the side file describes a raster that
+/// no longer exists.
 constexpr const char* AsideMiddle = ".of.";
 
-/// Seconds after which a file without the temporary that it lies beside is nobody's: meanwhile its
-/// process may be about to rename it.
+/// A file without its temporary has no owner after this many seconds. Before that, its process may
+/// be about to rename it.
 constexpr double AloneSeconds = 60.0;
 
-/// The temporaries of the process, in memory that a signal handler may read.
+/// A temporary of this process, in memory that a signal handler may read.
 struct Entry
 {
   enum State
@@ -55,15 +58,16 @@ struct Entry
     Used
   };
   std::atomic<int> State{ Free };
-  pid_t Owner = 0; ///< a forked process has the entries of its parent too
+  pid_t Owner = 0; ///< after a fork, the child has its parent's entries too
   char Path[PATH_MAX] = {};
   std::atomic<bool> Aside{ false };
-  char Target[PATH_MAX] = {}; ///< whose side files are aside
+  char Target[PATH_MAX] = {}; ///< the target whose side files are aside
 };
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads it");
 std::array<Entry, 16> Entries;
 
-/// Enters a path; -1 when the list is full or the path too long, which only a signal will miss.
+/// Adds a path to the list. Returns -1 if the list is full or the path too long; the file is then
+/// not removed on a signal.
 int Enter(const std::string& path)
 {
   if (path.size() + LongestSuffix >= PATH_MAX)
@@ -85,7 +89,7 @@ int Enter(const std::string& path)
   return -1;
 }
 
-/// Signals that end a process which has not asked for them.
+/// The signals that end a process by default.
 constexpr std::array<int, 20> Endings{ { SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGALRM,
   SIGXCPU, SIGXFSZ, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF,
   SIGIO, SIGSYS, SIGTRAP } };
@@ -99,7 +103,7 @@ extern "C" void TidyUpAndEnd(int number)
   errno = error;
 }
 
-/// The handlers are there as long as a temporary is.
+/// The handlers are installed while a temporary exists.
 struct Handlers
 {
   std::mutex Mutex;
@@ -145,7 +149,7 @@ struct Handlers
   }
 };
 
-/// An open descriptor that is closed at the end.
+/// A descriptor that is closed by the destructor.
 struct Opened
 {
   explicit Opened(int file)
@@ -164,8 +168,8 @@ struct Opened
   int File;
 };
 
-/// Removes a temporary whose process is gone, and calls `before` first, while nobody else may; false
-/// where there is none such.
+/// Removes a temporary whose process has ended. Calls `before` first, while no other process can
+/// remove it. Returns false if there is no such temporary.
 template <typename Before>
 bool RemoveDead(int folder, const char* name, const Before& before)
 {
@@ -176,7 +180,7 @@ bool RemoveDead(int folder, const char* name, const Before& before)
     return false;
   }
   const Opened file(::openat(folder, name, O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-  // Locked by us, its maker cannot think that it holds it: see Temporary.
+  // While we hold the lock, a process that just created the file cannot lock it: see Temporary.
   if (file.File < 0 || ::flock(file.File, LOCK_EX | LOCK_NB) != 0)
   {
     return false;
@@ -185,7 +189,7 @@ bool RemoveDead(int folder, const char* name, const Before& before)
   return ::unlinkat(folder, name, 0) == 0;
 }
 
-/// The name of the temporary that a file lies beside; the name itself if it is one.
+/// The name of the temporary that a file lies beside, or the name itself if it is a temporary.
 std::string OwnerOf(const std::string& name)
 {
   for (const char* suffix : Suffixes)
@@ -204,7 +208,7 @@ std::string OwnerOf(const std::string& name)
   return name;
 }
 
-/// Gives a side file its name back, unless there is another one by now.
+/// Renames a side file back to its original name, unless that name is in use again.
 void NameAgain(int folder, const std::string& aside, const std::string& name)
 {
   (void)::linkat(folder, aside.c_str(), folder, name.c_str(), 0);
@@ -224,7 +228,7 @@ bool IsOurs(int folder, const std::string& name)
     status.st_uid == ::geteuid();
 }
 
-/// A side file that its process did not come to remove.
+/// Handles a side file that its process could not remove or rename.
 void SweepAside(int folder, const std::string& name)
 {
   const std::string owner = name.substr(0, name.find(AsideMiddle));
@@ -234,7 +238,7 @@ void SweepAside(int folder, const std::string& name)
   }
 }
 
-/// A temporary, or what lies beside it; `asides` are the folder's side files under other names.
+/// Handles a temporary, or a file beside it. `asides` are the renamed side files in the folder.
 void SweepName(int folder, const std::string& name, const std::vector<std::string>& asides)
 {
   const std::string owner = OwnerOf(name);
@@ -266,10 +270,10 @@ void SweepName(int folder, const std::string& name, const std::vector<std::strin
   }
 }
 
-/// Bytes of a path and of the name that follows AsideMiddle.
+/// Bytes of a path and of the name after AsideMiddle.
 constexpr std::size_t LongestAside = PATH_MAX + NAME_MAX + 1;
 
-/// Appends `text` to the string that ends at `end`; returns the new end.
+/// Appends `text` to the string that ends at `end`. Returns the new end.
 char* Append(char* end, const char* text)
 {
   const std::size_t length = std::strlen(text);
@@ -277,8 +281,8 @@ char* Append(char* end, const char* text)
   return end + length;
 }
 
-/// The name of a side file while it is aside, in a buffer of LongestAside bytes; no memory is asked
-/// for, so a signal handler may call it.
+/// Writes the name of a side file while it is aside into a buffer of LongestAside bytes. Allocates
+/// no memory, so that a signal handler may call it.
 void NameAside(char* aside, const char* path, const char* target, const char* suffix)
 {
   const char* slash = std::strrchr(target, '/');
@@ -308,14 +312,14 @@ Temporary::Temporary(const std::string& folder, const std::string& extension, mo
     path.append("/").append(NameBegin).append(std::to_string(::getpid())).append("-");
     path.append(std::to_string(random())).append(NameMiddle).append(extension);
     this->Path = std::move(path);
-    // In the list before it exists, so that no signal finds it unlisted.
+    // The path is listed before the file exists, so that a signal always finds it in the list.
     this->Slot = Enter(this->Path);
     this->File =
       ::open(this->Path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, mode);
     error = errno;
     if (this->File >= 0)
     {
-      // Someone who sweeps may have taken it before it was locked.
+      // A sweeping process may have removed the file before it was locked.
       const bool locked = ::flock(this->File, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
       struct stat status;
       if (locked && ::fstat(this->File, &status) == 0 && status.st_nlink > 0)
@@ -347,7 +351,7 @@ void Temporary::RemoveIntermediates()
 
 std::string Temporary::PutAside(const std::string& target)
 {
-  // All names first: with a side file aside, nothing may fail any more for want of memory.
+  // All names are made first: once a side file is aside, nothing may fail for lack of memory.
   const std::string aside = this->Path + AsideMiddle + target.substr(target.rfind('/') + 1);
   for (std::size_t i = 0; i < SideFiles.size(); ++i)
   {
@@ -454,7 +458,7 @@ try
 }
 catch (...)
 {
-  // No memory for a name: another run will sweep.
+  // There is no memory for a name; a later run removes the file.
 }
 
 void RemoveTemporaries() noexcept
@@ -468,8 +472,8 @@ void RemoveTemporaries() noexcept
     char path[PATH_MAX];
     const std::size_t length = std::strlen(entry.Path);
     std::memcpy(path, entry.Path, length + 1);
-    // Without its name, it cannot be renamed to the target any more; where it has been, its side files
-    // are those of a raster that is no more.
+    // After the unlink, the temporary cannot be renamed to the target any more. If it was renamed
+    // before, its side files belong to a raster that no longer exists.
     const bool removed = ::unlink(path) == 0;
     for (const char* suffix : SideFiles)
     {

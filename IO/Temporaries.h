@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files on their way: each has a name and a lock, and goes when its process goes.
+// Temporary files, each with a name and a lock, which are removed when their process ends.
 #ifndef skyline_Temporaries_h
 #define skyline_Temporaries_h
 
@@ -13,21 +13,21 @@
 namespace skyline
 {
 
-/// What a second temporary beside the first is called.
+/// The suffix of a second temporary beside the first.
 constexpr const char* IntermediateSuffix = ".part.tif";
 
-/// What GDAL reads together with a raster, and what must not outlive it.
+/// The side files that GDAL reads with a raster. They must not remain when the raster is replaced.
 constexpr std::array<const char*, 3> SideFiles{ { ".aux.xml", ".ovr", ".msk" } };
 
-/// One temporary file. While it lives, its descriptor holds an exclusive lock (flock), by which
-/// SweepTemporaries, in whatever process, knows that it is in use. As long as one lives, each signal
-/// that would end the process by default first removes all temporaries; handlers that a program has
-/// of its own, and ignored signals, stay.
+/// One temporary file. While the object exists, its descriptor holds an exclusive lock (flock),
+/// from which SweepTemporaries in any process sees that the file is in use. While any object
+/// exists, each signal that ends the process by default first removes all temporaries. Handlers
+/// that the program has installed, and ignored signals, are not changed.
 class Temporary
 {
 public:
-  /// Makes an empty file in `folder`, whose name ends in `extension`, with the rights `mode` less the
-  /// umask. On failure IsOpen is false and errno says why.
+  /// Creates an empty file in `folder` whose name ends in `extension`, with the permissions `mode`
+  /// less the umask. On failure IsOpen returns false and errno gives the reason.
   Temporary(const std::string& folder, const std::string& extension, mode_t mode);
   ~Temporary();
   Temporary(const Temporary&) = delete;
@@ -36,30 +36,32 @@ public:
   bool IsOpen() const { return this->File >= 0; }
   const std::string& GetPath() const { return this->Path; }
 
-  /// Open for reading and writing; closing it gives up the lock.
+  /// A descriptor open for reading and writing. Closing it releases the lock.
   int GetFile() const { return this->File; }
 
-  /// Removes what lies beside it under its name, but GDAL's metadata.
+  /// Removes the files beside the temporary that have its name, except for GDAL's metadata.
   void RemoveIntermediates();
 
-  /// Gives the side files of `target`, in the same folder, other names, so that the temporary can be
-  /// renamed to it. Returns "" or, with errno, the one that cannot be renamed; all have their names
-  /// then. If the process ends before the temporary is renamed, they get their names back: from the
-  /// handler of the signal or, after SIGKILL, from SweepTemporaries.
+  /// Renames the side files of `target`, which lies in the same folder, so that the temporary can
+  /// be renamed to it. Returns "", or the side file that cannot be renamed, with errno set; then
+  /// all have their original names. If the process ends before the temporary is renamed, the side
+  /// files get their names back, either from the signal handler or, after SIGKILL, from
+  /// SweepTemporaries.
   std::string PutAside(const std::string& target);
 
-  /// The target could not be replaced: its side files get their names back. Where the system refuses
-  /// that, the temporary stays, empty, so that SweepTemporaries does it later.
+  /// To be called if the target could not be replaced: its side files get their names back. If the
+  /// system refuses this, the temporary stays as an empty file, so that SweepTemporaries does it
+  /// later.
   void BringBack();
 
-  /// The target has been replaced: its old side files go.
+  /// To be called after the target has been replaced: its old side files are removed.
   void DropAside();
 
-  /// Removes it, and all that lies beside it under its name.
+  /// Removes the temporary and all files beside it that have its name.
   void Remove();
 
 private:
-  /// Signals are handled as long as one lives.
+  /// Signals are handled while an object of this class exists.
   struct HandlerUse
   {
     HandlerUse();
@@ -70,21 +72,22 @@ private:
 
   void ForgetAside();
 
-  HandlerUse Handled; ///< the first to come, the last to go
+  HandlerUse Handled; ///< constructed first, destroyed last
   std::string Path;
   std::array<std::string, SideFiles.size()> Sides, Asides; ///< the target's, and their names aside
   int File = -1;
-  int Slot = -1;       ///< in the list for RemoveTemporaries
-  bool Needed = false; ///< by side files that are still aside
+  int Slot = -1;       ///< index in the list for RemoveTemporaries
+  bool Needed = false; ///< side files are still aside and need it
 };
 
-/// Removes from `folder` the user's own temporaries that no process holds, as SIGKILL leaves them, and
-/// gives the side files of rasters that they were to replace their names back.
-/// Where the file system knows no locks, none goes.
+/// Removes from `folder` the user's own temporaries that no process holds, as SIGKILL leaves them,
+/// and renames the side files that they had moved aside back. If the file system has no locks,
+/// nothing is removed.
 void SweepTemporaries(const std::string& folder) noexcept;
 
-/// Removes every temporary of this process, with what GDAL puts beside it. Safe in a signal handler;
-/// the program must end after it, for the writers know nothing of it.
+/// Removes every temporary of this process and the files that GDAL puts beside it. A signal handler
+/// may call it. The program must end afterwards, because the writers do not know that their files
+/// are gone.
 SKYLINEIO_EXPORT void RemoveTemporaries() noexcept;
 
 } // namespace skyline

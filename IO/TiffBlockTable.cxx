@@ -19,7 +19,8 @@ constexpr std::uint64_t StripByteCounts = 279;
 constexpr std::uint64_t TileOffsets = 324;
 constexpr std::uint64_t TileByteCounts = 325;
 
-/// Bytes of a number of a TIFF type that may hold places: SHORT, LONG, LONG8; 0 for others.
+/// Size in bytes of a number of the TIFF types that may hold offsets (SHORT, LONG, LONG8); 0 for
+/// other types.
 int BytesOf(std::uint64_t type)
 {
   return type == 3 ? 2 : type == 4 ? 4 : type == 16 ? 8 : 0;
@@ -59,7 +60,7 @@ void TiffBlockTable::ReadEntry(std::int64_t place, bool big)
   Table& table = offsets ? this->Offsets : this->Counts;
   table.Bytes = BytesOf(this->ReadNumber(place + 2, 2));
   const bool inside = count * static_cast<std::uint64_t>(table.Bytes) <=
-    static_cast<std::uint64_t>(word); // a short table stands in place of its place
+    static_cast<std::uint64_t>(word); // a short table stands in the entry itself
   table.Place = inside ? value : static_cast<std::int64_t>(this->ReadNumber(value, word));
   const bool fits = table.Bytes > 0 && table.Place > 0 &&
     count * static_cast<std::uint64_t>(table.Bytes) <=

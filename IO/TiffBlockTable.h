@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the blocks (tiles or strips) of a TIFF lie: filled in from outside, because GDAL would
-// compress all of them in one thread, or in threads whose errors nobody hears.
+// The table of the blocks (tiles or strips) of a TIFF. It is filled in here, because GDAL would
+// compress all blocks in one thread, or in threads whose errors are lost.
 #ifndef skyline_TiffBlockTable_h
 #define skyline_TiffBlockTable_h
 
@@ -14,30 +14,31 @@
 namespace skyline
 {
 
-/// A TIFF that was made without its blocks (GDAL: SPARSE_OK), with the tables of their places full of
-/// zeros (TIFF 6.0, tags TileOffsets, TileByteCounts, StripOffsets, StripByteCounts; BigTIFF alike).
+/// A TIFF that was created without its blocks (GDAL: SPARSE_OK). The tables of their offsets and
+/// sizes are full of zeros (TIFF 6.0, tags TileOffsets, TileByteCounts, StripOffsets,
+/// StripByteCounts; the same in BigTIFF).
 class TiffBlockTable
 {
 public:
   /// Reads the first directory of the little-endian TIFF at `path`.
   explicit TiffBlockTable(const std::string& path);
 
-  /// Whether the file has tables of so many blocks.
+  /// True if the file has tables for exactly this number of blocks.
   bool Has(std::size_t blocks) const;
 
-  /// Writes the bytes of a block at the end of the file; the table follows with Save.
+  /// Appends the bytes of a block to the file. Its table entry is written by Save.
   void Append(std::size_t block, const void* bytes, std::size_t size);
 
-  /// Writes the tables and closes the file. False if the numbers do not fit the tables.
+  /// Writes the tables and closes the file. Returns false if a number does not fit into the tables.
   bool Save();
 
-  /// The errno of the first failed write; 0: none.
+  /// The errno of the first failed write; 0 if there was none.
   int GetError() const { return this->File.GetError(); }
 
 private:
   struct Table
   {
-    int Bytes = 0; ///< of a number
+    int Bytes = 0; ///< size of one number
     std::int64_t Place = 0;
     std::vector<std::uint64_t> Numbers;
   };

@@ -33,8 +33,8 @@ int vtkHeightFieldFileWriter::Write()
     this->SetErrorCode(vtkErrorCode::UnknownError);
     return 0;
   }
-  this->Modified(); // written again even if the data did not change
-  // Not vtkWriter::Write: it asks an input that failed a second time, and then returns 1.
+  this->Modified(); // the file is written again even if the data did not change
+  // vtkWriter::Write is not used: it executes a failed input a second time, and then returns 1.
   auto* pipeline = vtkStreamingDemandDrivenPipeline::SafeDownCast(this->GetExecutive());
   if (pipeline->UpdateInformation())
   {
@@ -42,7 +42,7 @@ int vtkHeightFieldFileWriter::Write()
   }
   if (!this->Written && this->GetErrorCode() == vtkErrorCode::NoError)
   {
-    this->SetErrorCode(vtkErrorCode::UnknownError); // the input failed, and said why
+    this->SetErrorCode(vtkErrorCode::UnknownError); // the input failed and reported why
   }
   return this->Written ? 1 : 0;
 }

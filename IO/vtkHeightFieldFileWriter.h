@@ -39,14 +39,14 @@ public:
 
   ///@{
   /**
-   * The file to write. One that exists is replaced.
+   * The path of the file to write. An existing file is replaced. Required.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}
 
   /**
-   * Updates the input and writes it. Returns 1 when the file is there, else 0.
+   * Updates the input and writes the file. Returns 1 on success, else 0.
    */
   int Write() override;
 
@@ -62,17 +62,17 @@ protected:
   /// Writes the whole image to `file.GetPath()` and closes it. Throws IoFailure or IoAborted.
   virtual void WriteImage(vtkImageData* image, const skyline::AtomicFile& file) = 0;
 
-  /// The image's point array of that name, or its scalars for an empty name. Throws IoFailure with
-  /// the names there are.
+  /// Returns the point array `name` of the image, or its scalars if `name` is empty. Throws
+  /// IoFailure with the available names if there is no such array.
   vtkDataArray* FindArray(vtkImageData* image, const std::string& name) const;
 
-  /// Reports the part done; throws IoAborted if someone asked to stop.
+  /// Reports the completed part (0 to 1). Throws IoAborted if the user asked to stop.
   void Report(double part);
 
   /// Throws IoFailure: "cannot write 'FILE': reason".
   [[noreturn]] void Refuse(const std::string& reason) const;
 
-  /// The extension of FileName in small letters, without the dot.
+  /// The extension of FileName in lower case, without the dot.
   std::string GetExtension() const;
 
 private:

@@ -97,8 +97,8 @@ void vtkHeightFieldPictureWriter::WriteImage(vtkImageData* image, const skyline:
     picture, file, [this](double part) { this->Report(part); });
 }
 
-// By GDAL: it keeps the georeference, and where GDAL is loaded OpenImageIO's TIFFs fail, because
-// both extend libtiff's tags.
+// GDAL writes TIFF pictures: it keeps the georeference, and OpenImageIO's TIFF code fails in a
+// process that has loaded GDAL, because both extend libtiff's tags.
 void vtkHeightFieldPictureWriter::WriteTiff(
   vtkImageData* image, vtkDataArray* array, const skyline::AtomicFile& file)
 {

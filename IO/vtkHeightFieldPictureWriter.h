@@ -3,14 +3,14 @@
  * @class   vtkHeightFieldPictureWriter
  * @brief   writes an RGB or RGBA point array as a picture
  *
- * The extension of FileName chooses the format:
- * - .png: 8-bit sRGB, from an unsigned char array;
- * - .exr: linear light, from a float or double array, as 32-bit or 16-bit floats;
- * - .tif: either, in the array's own precision, with the image's georeference.
+ * The extension of FileName selects the format:
+ * - .png: 8-bit sRGB, from an array of unsigned char.
+ * - .exr: linear light, from an array of float or double, written as 32-bit or 16-bit floats.
+ * - .tif: either kind of array, in its own precision, with the georeference of the image.
  *
- * The top line of the picture is the image's last row (north). Numbers are never changed: whoever
- * makes the array decides on exposure and transfer curve. Alpha is not multiplied into 8-bit colour
- * and is multiplied into linear colour. Errors and aborts: see vtkHeightFieldFileWriter.
+ * The top line of the picture is the last row of the image (north). The numbers are written
+ * unchanged; exposure and transfer curve must already be applied. 8-bit colour must not be
+ * premultiplied by alpha, and linear colour must be. For errors and aborts see vtkHeightFieldFileWriter.
  */
 #ifndef vtkHeightFieldPictureWriter_h
 #define vtkHeightFieldPictureWriter_h
@@ -28,7 +28,8 @@ public:
 
   ///@{
   /**
-   * The point array with 1 (grey), 3 (RGB) or 4 (RGBA) components. None: the active scalars.
+   * Name of the point array to write, with 1 (grey), 3 (RGB) or 4 (RGBA) components. Default: none,
+   * which means the active scalars.
    */
   vtkSetStringMacro(ArrayName);
   vtkGetStringMacro(ArrayName);
@@ -36,7 +37,8 @@ public:
 
   ///@{
   /**
-   * Write EXR with 16-bit floats, which end at 65504: greater values become that. Default off.
+   * Whether .exr files have 16-bit floats. Values above 65504, the greatest such float, become
+   * 65504. Default: false.
    */
   vtkSetMacro(HalfPrecision, bool);
   vtkGetMacro(HalfPrecision, bool);

@@ -30,7 +30,8 @@
 namespace
 {
 
-/// The array for a window of heights. IoFailure, with the bytes and the cure, if there is no memory.
+/// Allocates the array for a window of heights. Throws IoFailure with the number of bytes and the
+/// remedy if there is not enough memory.
 vtkSmartPointer<vtkDataArray> Allocate(
   const std::string& file, const skyline::PostWindow& window, int type)
 {
@@ -43,7 +44,7 @@ vtkSmartPointer<vtkDataArray> Allocate(
     heights->SetNumberOfTuples(posts);
     if (heights->GetNumberOfTuples() != posts || !heights->GetVoidPointer(0))
     {
-      // The system promised less than was asked for.
+      // The allocation failed although the system reported enough free memory.
       skyline::DemandMemory(
         "the heights", window.Columns, window.Rows, heights->GetDataTypeSize(), 0);
     }
@@ -206,13 +207,13 @@ int vtkHeightFieldReader::RequestData(
       const skyline::PostWindow whole = source.GetWhole();
       int extent[6];
       info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
-      extent[1] = std::min(extent[1], whole.Columns - 1); // the file may have shrunk meanwhile
+      extent[1] = std::min(extent[1], whole.Columns - 1); // the file may have shrunk since
       extent[3] = std::min(extent[3], whole.Rows - 1);
       const skyline::PostWindow window{ extent[0], extent[2], extent[1] - extent[0] + 1,
         extent[3] - extent[2] + 1 };
       if (window.Columns < 1 || window.Rows < 1)
       {
-        return; // nothing asked for
+        return; // the requested extent is empty
       }
 
       image->SetExtent(extent);

@@ -1,43 +1,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightFieldReader
- * @brief   reads a band of any raster that GDAL opens as a height field
+ * @brief   reads a band of any raster that GDAL can open as a height field
  *
  * The output is a two-dimensional vtkImageData with the point scalars "Elevation", in metres. A
- * post is a pixel centre. Row 0 is the south edge and column 0 the west edge, whichever way the
- * file runs; rotated and sheared rasters are refused.
+ * post is the centre of a pixel. Row 0 is the southern edge and column 0 the western edge, whatever
+ * the order in the file. Rotated and sheared rasters are refused.
  *
- * Spacing is in metres: the CRS's steps, or the true ones of the centre row where they differ (see
- * Documentation/distances.md). Origin is the south-west post's CRS coordinates in metres on a projected or local
- * map, and 0 on a geographic one. Heights in feet, with a scale and an offset, or with missing
- * posts (nodata, mask, alpha, NaN, infinities) become float, or double where float would lose
- * digits, with NaN for the missing; other integers stay as they are. The unit of the heights is the
- * band's, else that of the CRS's vertical part, else metres; heights count upwards even where the
- * CRS speaks of depths.
+ * Spacing is in metres: the steps of the CRS or, if these are not true lengths, those on the ground
+ * along the centre row (see Documentation/distances.md). Origin is the south-west post in CRS coordinates, in
+ * metres, on a projected or local map, and 0 on a geographic one. Heights in feet, with a scale and
+ * an offset, or with missing posts (nodata, mask, alpha, NaN, infinite values) become float, or
+ * double if float would lose digits; missing posts are NaN. Other integers keep their type. The
+ * unit of the heights is that of the band, else that of the vertical part of the CRS, else metres.
+ * Heights are taken to count upwards even if the CRS says that they are depths.
  *
- * Field data carries the georeference of the extent that was delivered,
- * which is the extent asked for: only that part of the file is read. Spacing and RowSpacing are the
- * whole raster's, so that a part is what the whole has there. NodataValue is the value the file
- * declares for missing posts, else the first finite one of AddNodata.
+ * Field data holds the georeference of the requested extent; only that
+ * part of the file is read. Spacing and RowSpacing are those of the whole raster, so that a part
+ * has the same values as the whole there. NodataValue is the value that the file declares for
+ * missing posts, else the first finite value of AddNodata.
  *
- * Input that may not mean what it seems to mean is read as it stands, with a warning (WarningEvent) of
- * what was found, what is assumed, and the cure: heights that look like missing posts, no geotransform,
- * degrees without a CRS, units that contradict each other (Documentation/input.md).
+ * Input that may not mean what it seems to mean is used with a warning (WarningEvent), which says
+ * what was found, what is assumed, and how to change that. Examples are heights that look like
+ * missing posts, a missing geotransform, degrees without a CRS, and contradictory units
+ * (Documentation/input.md).
  *
- * A raster can name other files and servers: sources, masks, overviews. Such names are the file's and
- * not the user's, so that only files in its own folder and below are read, by drivers of local rasters
- * (skyline::DefaultDrivers), and nothing from the network. AllowElsewhere, AllowNetwork and AddDriver
- * widen that; what is refused is an error that names it and the way to allow it. See
- * Documentation/untrusted-files.md.
+ * A raster can name other files and servers: sources, masks, overviews. These names were chosen by
+ * the author of the file and not by the user. Therefore only files in the folder of the raster and
+ * below are read, only with drivers for local rasters (skyline::DefaultDrivers), and nothing is
+ * read from the network. AllowElsewhere, AllowNetwork and AddDriver permit more. A refusal is an
+ * error that names the file and the option that allows it. See Documentation/untrusted-files.md.
  *
- * A pipe (/vsistdin/, /dev/stdin, a named pipe) is read once, into a temporary file, for as long as
- * the reader has that name. A pipe that nobody writes is an error after ten seconds.
+ * A pipe (/vsistdin/, /dev/stdin, a named pipe) is read once, into a temporary file that is kept
+ * until FileName changes. A pipe that no program writes to is an error after ten seconds.
  *
- * What GDAL could not make out on opening, a CRS for instance, is an error; what it warns about is a
- * WarningEvent.
+ * What GDAL could not read on opening, for instance a CRS, is an error. Warnings of GDAL become
+ * WarningEvents.
  *
- * A failure is one line through ErrorEvent, which names the file, the value and the cure, and an
- * error code (GetErrorCode). An abort leaves an empty output and the code vtkErrorCode::UserError.
+ * A failure is reported by an ErrorEvent with one line that names the file, the value and the
+ * remedy, and by an error code (GetErrorCode). After an abort the output is empty and the code is
+ * vtkErrorCode::UserError.
  */
 #ifndef vtkHeightFieldReader_h
 #define vtkHeightFieldReader_h
@@ -65,7 +67,8 @@ public:
 
   ///@{
   /**
-   * What to read: a path, or any other name that GDAL opens (/vsizip/..., NETCDF:...).
+   * The raster to read: a path, or any other name that GDAL opens (/vsizip/..., NETCDF:...).
+   * Required.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -73,7 +76,7 @@ public:
 
   ///@{
   /**
-   * Which band holds the heights, from 1. Default 1.
+   * The band that holds the heights, counted from 1. Default: 1.
    */
   vtkSetMacro(Band, int);
   vtkGetMacro(Band, int);
@@ -81,8 +84,9 @@ public:
 
   ///@{
   /**
-   * Values of missing posts besides the one that the file declares, as the band has them (before its
-   * scale and unit); any number, NaN and infinities (which are missing anyway) too. Default: none.
+   * Values that mark missing posts in addition to the one that the file declares, as stored in the
+   * band (before scale and unit). Any number is allowed; NaN and infinite values are always
+   * missing. Default: none.
    */
   void AddNodata(double value);
   void RemoveAllNodata();
@@ -92,8 +96,8 @@ public:
 
   ///@{
   /**
-   * Whether files from the network may be read: URLs, /vsicurl/, /vsis3/ and the like, whether the
-   * user named them or the file does. Default false.
+   * Whether data may be read from the network (URLs, /vsicurl/, /vsis3/ and the like), both by
+   * FileName and by names inside the file. Default: false.
    */
   vtkSetMacro(AllowNetwork, bool);
   vtkGetMacro(AllowNetwork, bool);
@@ -102,8 +106,8 @@ public:
 
   ///@{
   /**
-   * Whether the file may lead to files outside its own folder, as a virtual raster over tiles in
-   * another folder does. Default false.
+   * Whether the file may refer to files outside its own folder, such as a virtual raster whose
+   * tiles lie in another folder. Default: false.
    */
   vtkSetMacro(AllowElsewhere, bool);
   vtkGetMacro(AllowElsewhere, bool);
@@ -112,8 +116,9 @@ public:
 
   ///@{
   /**
-   * Further drivers of GDAL that may open the file and what it leads to, by their short names (WMS),
-   * beside those of local rasters. Drivers that read from servers need AllowNetwork too. Default none.
+   * Short names of further GDAL drivers, such as WMS, that may open the file and the files that it
+   * refers to, in addition to those for local rasters. Drivers that read from servers also need
+   * AllowNetwork. Default: none.
    */
   void AddDriver(const char* name);
   void RemoveAllDrivers();
@@ -134,11 +139,12 @@ private:
   vtkHeightFieldReader(const vtkHeightFieldReader&) = delete;
   void operator=(const vtkHeightFieldReader&) = delete;
 
-  /// Runs `work`; false, with the error reported, if it throws.
+  /// Runs `work`. If it throws, reports the error and returns false.
   template <typename Work>
   bool Try(const Work& work);
 
-  /// The policy, and where the bytes of a pipe are (empty: the file is none).
+  /// The policy from the options, and the path of the copied bytes of a pipe (empty for other
+  /// files).
   skyline::SourcePolicy MakePolicy() const;
   std::string Spool(const std::string& file);
 

@@ -13,7 +13,7 @@ vtkStandardNewMacro(vtkHeightFieldWriter);
 namespace
 {
 
-/// Most bands that a TIFF can count (16 bits).
+/// The greatest number of bands in a TIFF (16 bits).
 constexpr int MostBands = 65535;
 
 std::string DefaultDescription(vtkDataArray* array, int component)
@@ -33,7 +33,7 @@ std::string DefaultUnit(vtkDataArray* array)
   return name == "Elevation" || name.rfind("ShadowHeight", 0) == 0 ? "m" : "";
 }
 
-/// The text given for a band, or its default.
+/// The text that was set for a band, or `otherwise`.
 std::string TextOf(const std::map<int, std::string>& texts, int band, const std::string& otherwise)
 {
   const auto text = texts.find(band);
@@ -105,7 +105,7 @@ void vtkHeightFieldWriter::WriteImage(vtkImageData* image, const skyline::Atomic
     this->Refuse(std::to_string(content.Bands.size()) + " bands are more than a TIFF holds (" +
       std::to_string(MostBands) + "); write fewer");
   }
-  // One byte for each of three or four components of one array is a picture.
+  // An array of unsigned char with three or four components is a picture.
   vtkDataArray* first = content.Bands.front().Array;
   content.Picture =
     first == content.Bands.back().Array && first->GetDataType() == VTK_UNSIGNED_CHAR;

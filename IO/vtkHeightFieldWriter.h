@@ -3,16 +3,16 @@
  * @class   vtkHeightFieldWriter
  * @brief   writes point arrays of a height field as bands of a GeoTIFF
  *
- * Every component of every array is a band, north-up, with the CRS and geotransform of the input's
- * field data, as vtkHeightFieldReader puts them there. The bands have the narrowest type that holds
- * all arrays.
- * Missing posts (NaN, infinities) of float and double arrays become the nodata value: the
- * NodataValue of the input's field data if no result can have it (NaN, or beyond 1000), else -9999,
- * else NaN where a height is that very number. A nodata value is declared if posts are missing or
- * the input declares one; integer bands have none.
+ * Each component of each array becomes a band, north-up, with the CRS and the geotransform in the
+ * field data, of the input as vtkHeightFieldReader puts them there. All bands have the narrowest type that holds
+ * all arrays. Missing posts (NaN, infinite values) of float and double arrays become the nodata
+ * value. This is the NodataValue in the field data of the input if no result can have it (NaN, or a
+ * magnitude above 1000), else -9999, or NaN if a value is exactly that number. The nodata value is
+ * declared if posts are missing or if the input declares one. Integer bands have none.
  *
- * DEFLATE with a predictor, tiles for more than 512 x 512 posts, bands one after the other, BigTIFF
- * where needed. Errors and aborts: see vtkHeightFieldFileWriter.
+ * The file has DEFLATE compression with a predictor, tiles if it has more than 512 x 512 posts,
+ * bands one after the other, and is a BigTIFF if necessary. For errors and aborts see
+ * vtkHeightFieldFileWriter.
  */
 #ifndef vtkHeightFieldWriter_h
 #define vtkHeightFieldWriter_h
@@ -34,7 +34,8 @@ public:
 
   ///@{
   /**
-   * The point arrays to write, in this order. None added: the active scalars.
+   * Adds the name of a point array to write. Bands have the order of the calls. Default: none,
+   * which means the active scalars.
    */
   void AddArray(const char* name);
   void ClearArrays();
@@ -42,22 +43,22 @@ public:
 
   ///@{
   /**
-   * Description and unit of a band, counted from 1 over all arrays. Default: the array's name (with
-   * the component's name or number where there are several), and "m" for Elevation and
-   * ShadowHeight.
+   * Description and unit of a band, counted from 1 over all arrays. By default the description is
+   * the name of the array (with the name or number of the component if it has several), and the
+   * unit is "m" for Elevation and ShadowHeight.
    */
   void SetBandDescription(int band, const char* text);
   void SetBandUnit(int band, const char* unit);
   ///@}
 
   /**
-   * Forgets all descriptions and units.
+   * Removes all descriptions and units.
    */
   void ClearBandTexts();
 
   ///@{
   /**
-   * Write a cloud-optimized GeoTIFF: tiled, with overviews. Default off.
+   * Whether to write a cloud-optimized GeoTIFF: tiled, with overviews. Default: false.
    */
   vtkSetMacro(CloudOptimized, bool);
   vtkGetMacro(CloudOptimized, bool);

@@ -33,7 +33,7 @@ vtkSkylineLightMapReader::~vtkSkylineLightMapReader()
 namespace
 {
 
-/// What was mended, if anything was.
+/// Raises a warning about pixels that were corrected, if there are any.
 void DoubtPixels(
   vtkObject* reader, const std::string& file, const skyline::LightMapDefects& defects)
 {
@@ -46,7 +46,7 @@ void DoubtPixels(
   }
   if (defects.NotNumbers > 0)
   {
-    add(found, std::to_string(defects.NotNumbers) + " that are no numbers");
+    add(found, std::to_string(defects.NotNumbers) + " not a number");
   }
   if (!found.empty())
   {
@@ -59,7 +59,7 @@ void DoubtPixels(
   }
   if (!found.empty())
   {
-    skyline::Warn(reader, { "'" + file + "' has pixels that are no light: " + found, used, "" });
+    skyline::Warn(reader, { "'" + file + "' has invalid pixels: " + found, used, "" });
   }
 }
 

@@ -4,28 +4,31 @@
  * @brief   reads a Radiance (.hdr) or OpenEXR file as a light map
  *
  * The output is a two-dimensional vtkImageData with the point scalars "Radiance": three floats,
- * linear RGB, all finite and not negative. Row 0 of the image is the bottom of the map, at the
- * nadir, as VTK has it; the centre column is north, to the right is clockwise. The coordinates of a
- * point are the azimuth (x, -180 to 180 degrees) and the elevation (y, -90 to 90) of the pixel's
- * middle.
+ * linear RGB, all finite and not negative. Row 0 of the image is the bottom of the map (the nadir),
+ * as usual in VTK. The centre column is north, and azimuths increase to the right. The coordinates
+ * of a point are the azimuth (x, -180 to 180 degrees) and the elevation (y, -90 to 90 degrees) of
+ * the centre of the pixel.
  *
  * A file is a latitude-longitude map if it has twice as many columns as rows. A cube has six square
- * faces in one image, seen from inside: 1 x 6 as OpenEXR stacks them (its Y axis up, its Z axis
+ * faces in one image, seen from inside: 1 x 6 in the order of OpenEXR (its Y axis up, its Z axis
  * north), 6 x 1 (east, west, up, down, north, south), or a cross of 4 x 3 or 3 x 4 with north in
- * the middle. A cube of n x n pixels a face becomes a map of 4 n x 2 n pixels that has its energy.
+ * the middle. A cube with faces of n x n pixels becomes a map of 4 n x 2 n pixels with the same
+ * energy.
  *
- * Tiled and mip-mapped files are read at full resolution, the first part of several. Alpha is left
- * out; one channel is grey. Pixels that an OpenEXR file leaves out of its display window are black.
- * Negative values and NaN become 0, infinite ones the channel's largest finite value; the counts
- * below say of how many pixels, and a WarningEvent does. A sun stays as bright as it is.
+ * Tiled and mip-mapped files are read at full resolution. Of several parts, the first is read.
+ * Alpha is ignored; a single channel is grey. Pixels of the display window that an OpenEXR file
+ * does not contain are black. Negative values and NaN become 0, and infinite values become the
+ * greatest finite value of their channel. A WarningEvent reports how many pixels were changed, and
+ * so do the methods below. The brightness of a sun is not changed.
  *
- * Only these two formats are read, by OpenImageIO's own readers of them, from regular files on the
- * local disk: no pipe, no URL. A file with more than 4096 x 2048 pixels must have a byte for every 64
- * of them, and none may have tiles or blocks of lines beyond 512 MB; see
+ * Only these two formats are read, with OpenImageIO's readers, from regular files on a local disk;
+ * pipes and URLs are refused. A file with more than 4096 x 2048 pixels must have at least one byte
+ * for every 64 pixels, and tiles or blocks of lines must not exceed 512 MB. See
  * Documentation/untrusted-files.md.
  *
- * A failure is one line through ErrorEvent, which names the file, the value and the cure, and an
- * error code (GetErrorCode). An abort leaves an empty output and the code vtkErrorCode::UserError.
+ * A failure is reported by an ErrorEvent with one line that names the file, the value and the
+ * remedy, and by an error code (GetErrorCode). After an abort the output is empty and the code is
+ * vtkErrorCode::UserError.
  */
 #ifndef vtkSkylineLightMapReader_h
 #define vtkSkylineLightMapReader_h
@@ -44,7 +47,8 @@ public:
 
   ///@{
   /**
-   * The path of the file. Its first bytes say what it is, not its name.
+   * The path of the file. The format is recognised by the first bytes, not by the extension.
+   * Required.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -52,8 +56,8 @@ public:
 
   ///@{
   /**
-   * After Update: how many pixels of the file had a negative channel, one that was not a number,
-   * and an infinite one.
+   * After Update, the number of pixels of the file with a negative channel, with one that is not a
+   * number, and with an infinite one.
    */
   vtkGetMacro(NumberOfNegativePixels, vtkIdType);
   vtkGetMacro(NumberOfNaNPixels, vtkIdType);
@@ -73,7 +77,7 @@ private:
   vtkSkylineLightMapReader(const vtkSkylineLightMapReader&) = delete;
   void operator=(const vtkSkylineLightMapReader&) = delete;
 
-  /// Runs `work`; false, with the error reported, if it throws.
+  /// Runs `work`. If it throws, reports the error and returns false.
   template <typename Work>
   bool Try(const Work& work);
 

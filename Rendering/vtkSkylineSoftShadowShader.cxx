@@ -318,7 +318,7 @@ std::string vtkSkylineSoftShadowShader::Upload(vtkOpenGLRenderWindow* window)
   {
     const bool bare = in.Image->GetPointData()->GetNumberOfArrays() == 0;
     return "the height field has no point array " + name + " of " + components + " components" +
-      (bare ? "; the filters Irradiance, Transfer and Visibility make light to show" : "");
+      (bare ? "; use the filter Irradiance, Transfer or Visibility to compute light" : "");
   };
   in.Place();
   bool sent = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images are read and written by the thread that asks.
+// Images are read and written on the calling thread alone.
 #ifndef skyline_NoImageThreads_h
 #define skyline_NoImageThreads_h
 
@@ -10,9 +10,9 @@
 namespace skyline
 {
 
-/// While one lives, OpenEXR starts no threads: it would take every processor, its errors would not be
-/// heard, and where the system refuses a thread it fails. OpenImageIO's own are held back file by file
-/// (`threads(1)`), for setting their number starts some.
+/// While an object of this class exists, OpenEXR starts no threads. Its threads would use every
+/// processor, lose errors, and fail if the system refuses to start one. The threads of OpenImageIO
+/// are avoided for each file by `threads(1)`, because setting their number globally starts some.
 class NoImageThreads
 {
 public:

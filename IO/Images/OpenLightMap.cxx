@@ -29,8 +29,9 @@ namespace skyline
 namespace
 {
 
-/// OpenImageIO's name of the format that the file's first bytes tell, or "". Asked by name, it
-/// tries no other format: TIFF, for one, does not go together with GDAL in one process.
+/// OpenImageIO's name of the format that the first bytes of the file indicate, or "". With a name,
+/// OpenImageIO tries no other format. Its TIFF reader, for one, does not work in a process that has
+/// loaded GDAL.
 std::string FindFormat(const std::array<char, 4>& start)
 {
   const std::array<char, 4> openExr{ '\x76', '\x2f', '\x31', '\x01' };
@@ -41,26 +42,27 @@ std::string FindFormat(const std::array<char, 4>& start)
   return start[0] == '#' && start[1] == '?' ? "hdr" : "";
 }
 
-/// What OpenImageIO said, as part of a sentence.
+/// The error text of OpenImageIO as a part of a sentence.
 std::string Reason(const std::string& error)
 {
   const std::string line = FirstLine(error);
   return line.substr(0, line.find_last_not_of(". ") + 1);
 }
 
-/// Of the file, and of its display window: 32768 x 16384.
+/// The greatest number of pixels of a file and of its display window: 32768 x 16384.
 constexpr std::int64_t MostPixels = std::int64_t(1) << 29;
 
-/// A map up to 4096 x 2048 is believed as it is. Beyond, a byte of the file stands for so many pixels
-/// at most: measured skies keep above one byte a pixel, made ones above a twentieth.
+/// A map of up to 4096 x 2048 pixels is accepted whatever its file size. A larger one may have at
+/// most MostPixelsPerByte pixels for each byte of the file. Measured skies have more than one byte
+/// per pixel, computed ones more than a twentieth of a byte.
 constexpr std::int64_t BelievedPixels = std::int64_t(4096) * 2048;
 constexpr std::int64_t MostPixelsPerByte = 64;
 
-/// Of a tile or a block of lines, which OpenEXR holds in memory whole; one of 256 lines of 32768 half
-/// RGBA pixels has 64 MB.
+/// The greatest size of a tile or block of lines, which OpenEXR keeps in memory as a whole. A block
+/// of 256 lines of 32768 half-precision RGBA pixels has 64 MB.
 constexpr double MostChunkBytes = 512.0 * 1024 * 1024;
 
-/// Lines that OpenEXR compresses together, at most.
+/// The greatest number of lines that OpenEXR compresses together.
 constexpr double MostChunkLines = 256.0;
 
 std::string Dimensions(int columns, int rows)
@@ -68,7 +70,8 @@ std::string Dimensions(int columns, int rows)
   return std::to_string(columns) + " x " + std::to_string(rows);
 }
 
-/// OpenImageIO's progress function over ours; an exception of ours waits in here.
+/// Passes OpenImageIO's progress to our function. An exception is stored here until OpenImageIO
+/// returns.
 struct ProgressBridge
 {
   const LightMapFile::ProgressFunction& Tell;
@@ -91,7 +94,7 @@ struct ProgressBridge
   }
 };
 
-/// A light map through OpenImageIO.
+/// A light map read with OpenImageIO.
 class ImageLightMap : public LightMapFile
 {
 public:
@@ -114,12 +117,12 @@ private:
   std::string File;
   NoImageThreads Alone;
   std::unique_ptr<OIIO::ImageInput> Input;
-  OIIO::ImageSpec Spec; ///< of the first part, full resolution
+  OIIO::ImageSpec Spec; ///< of the first part, at full resolution
   int FirstChannel = 0;
   int Channels = 3; ///< 1 (grey) or 3
   int Columns = 0, Rows = 0;
   bool Cube = false;
-  CubeMap Faces; ///< if a cube, without values
+  CubeMap Faces; ///< the layout of a cube, without values
 };
 
 ImageLightMap::ImageLightMap(const std::string& file)
@@ -145,7 +148,7 @@ void ImageLightMap::Open()
   }
   if (std::filesystem::is_other(this->File, status))
   {
-    // Read to and fro, and a pipe that nobody writes would keep us waiting for ever.
+    // The file is read forwards and backwards, and a pipe that nobody writes would block forever.
     throw IoFailure(vtkErrorCode::CannotOpenFileError,
       "cannot read '" + this->File + "': it is a pipe or a device; give a .hdr or .exr file");
   }
@@ -197,7 +200,7 @@ void ImageLightMap::FindChannels()
     this->Refuse("its rows do not run from left to right and top to bottom (orientation " +
       std::to_string(this->Spec.get_int_attribute("Orientation", 1)) + "); turn the image upright");
   }
-  // The first R, G, B in a row, of whatever layer ("diffuse.R").
+  // The first three consecutive channels R, G, B, of any layer ("diffuse.R").
   const auto ends = [this](int channel, const char* letter)
   {
     const std::string& name = this->Spec.channelnames[static_cast<std::size_t>(channel)];
@@ -243,7 +246,8 @@ void ImageLightMap::FindShape()
       " pixels; give a map of 32768 x 16384 at most");
   }
   this->CheckClaim(std::max(pixels, full));
-  // The display window is the whole sphere where it says so, and then the pixels may be part of it.
+  // If the display window has twice as many columns as rows, it is the whole sphere, and the pixels
+  // may be a part of it.
   if (spec.full_width > 0 && spec.full_width == 2 * spec.full_height)
   {
     this->Columns = spec.full_width;
@@ -252,7 +256,7 @@ void ImageLightMap::FindShape()
   }
   if (spec.width == 2 * spec.height)
   {
-    this->Spec.full_x = spec.x; // a display window of another shape says nothing
+    this->Spec.full_x = spec.x; // a display window of another shape is ignored
     this->Spec.full_y = spec.y;
     this->Columns = spec.width;
     this->Rows = spec.height;
@@ -270,7 +274,8 @@ void ImageLightMap::FindShape()
   this->Rows = static_cast<int>(2 * size);
 }
 
-/// A header of a few bytes may promise gigabytes; memory is taken for what the file can hold.
+/// Refuses a file that is too small for its number of pixels: a header of a few bytes may announce
+/// gigabytes.
 void ImageLightMap::CheckClaim(std::int64_t pixels) const
 {
   std::error_code status;
@@ -279,7 +284,7 @@ void ImageLightMap::CheckClaim(std::int64_t pixels) const
   {
     this->Refuse("it has " + std::to_string(bytes) + " bytes for " + std::to_string(pixels) +
       " pixels, beyond " + std::to_string(MostPixelsPerByte) +
-      " pixels a byte; give a map of 4096 x 2048 at most, or save it without compression");
+      " pixels per byte; give a map of 4096 x 2048 at most, or save it without compression");
   }
   const OIIO::ImageSpec& spec = this->Spec;
   const double chunk = spec.tile_width > 0
@@ -298,7 +303,8 @@ void ImageLightMap::CheckClaim(std::int64_t pixels) const
 std::unique_ptr<float[]> ImageLightMap::ReadPixels(const ProgressFunction& progress)
 {
   const std::size_t count = static_cast<std::size_t>(this->Spec.width) * this->Spec.height;
-  // Not filled: a damaged header may promise gigabytes that the file does not hold.
+  // The memory is not filled, because a damaged header may announce gigabytes that the file does
+  // not hold.
   std::unique_ptr<float[]> values(new float[3 * count]);
   ProgressBridge bridge{ progress, false, nullptr };
   const bool read = this->Input->read_image(0, 0, this->FirstChannel,
@@ -328,7 +334,7 @@ std::unique_ptr<float[]> ImageLightMap::ReadPixels(const ProgressFunction& progr
   return values;
 }
 
-/// Copies rows of the file from the top to rows of the map from the bottom.
+/// Copies the rows of the file, from the top, to rows of the map, from the bottom.
 void ImageLightMap::PlaceInWindow(const float* values, float* pixels) const
 {
   const OIIO::ImageSpec& spec = this->Spec;
@@ -364,7 +370,8 @@ LightMapDefects ImageLightMap::Read(float* pixels, const ProgressFunction& progr
   if (!UnusedPixelsAlike(cube))
   {
     this->Refuse("it has " + Dimensions(this->Spec.width, this->Spec.height) +
-      " pixels, but is no cross of a cube's faces; give a latitude-longitude map (2:1) or a cube");
+      " pixels, but they are not a cross of cube faces; give a latitude-longitude map (2:1) or a "
+      "cube");
   }
   const std::ptrdiff_t columns = this->Columns, rows = this->Rows;
   vtkSMPTools::For(0, rows,

@@ -10,7 +10,7 @@
 namespace skyline
 {
 
-/// ImageLibrary::OpenLightMap, by OpenImageIO.
+/// ImageLibrary::OpenLightMap, implemented with OpenImageIO.
 std::unique_ptr<LightMapFile> OpenLightMap(const std::string& file);
 
 } // namespace skyline

@@ -20,10 +20,11 @@ namespace skyline
 namespace
 {
 
-/// Of the time, before the picture is read back.
+/// The share of writing in the total progress; the rest is reading the picture back.
 constexpr double WritingPart = 0.9;
 
-/// OpenImageIO's progress function over ReportFunction, which may throw; the exception waits in here.
+/// Passes OpenImageIO's progress to ReportFunction, which may throw. The exception is stored here
+/// until OpenImageIO returns.
 struct ProgressBridge
 {
   const ImageLibrary::ReportFunction& Tell;
@@ -34,7 +35,7 @@ struct ProgressBridge
     auto* self = static_cast<ProgressBridge*>(data);
     if (part <= 0.0f)
     {
-      return false; // told before; libpng prints a complaint about files that it closes so soon
+      return false; // 0 was reported before; libpng prints a warning if it must stop this early
     }
     try
     {
@@ -97,7 +98,7 @@ private:
   CheckedFile File;
 };
 
-/// Pixels as they are handed to OpenImageIO: the first line is the picture's top.
+/// Pixels in the order that OpenImageIO needs: the first line is the top of the picture.
 struct Pixels
 {
   const char* Top = nullptr;
@@ -106,10 +107,10 @@ struct Pixels
   int Columns = 0, Rows = 0, Channels = 0;
 };
 
-/// Lines that are read back at a time.
+/// Number of lines that are read back at a time.
 constexpr int CheckedLines = 64;
 
-/// Reads the file and compares every number. Throws IoFailure where one is another.
+/// Reads the file and compares each number. Throws IoFailure if one differs.
 void CheckPicture(
   const Pixels& picture, const AtomicFile& file, const ImageLibrary::ReportFunction& report)
 {

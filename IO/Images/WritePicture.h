@@ -7,7 +7,7 @@
 namespace skyline
 {
 
-/// ImageLibrary::WritePicture, by OpenImageIO.
+/// ImageLibrary::WritePicture, implemented with OpenImageIO.
 void WritePicture(
   const Picture& picture, const AtomicFile& file, const ImageLibrary::ReportFunction& report);
 

@@ -12,7 +12,7 @@ namespace skyline
 
 std::string LaterTime(const std::string& time, double hours)
 {
-  if (!(std::abs(hours) < 1e7)) // a thousand years, and no number at all
+  if (!(std::abs(hours) < 1e7)) // more than a thousand years, or not a number
   {
     throw std::invalid_argument(
       "the sun's time is moved by " + std::to_string(hours) + " hours; give less than 1e7");

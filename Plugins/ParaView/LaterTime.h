@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Moments some hours after a moment: what an animation in ParaView can vary.
+// A time that is some hours after another one, so that an animation in ParaView can vary a number.
 #ifndef skyline_LaterTime_h
 #define skyline_LaterTime_h
 
@@ -8,9 +8,10 @@
 namespace skyline
 {
 
-/// ISO 8601 text of the moment `hours` (any finite number, also negative) after `time` (see
-/// ParseUtcTime). Leap seconds between the two are not counted. With 0 hours, the text as it is.
-/// Throws std::invalid_argument for a text that is no time and for hours that are no number.
+/// The time `hours` after `time` as ISO 8601 text (see ParseUtcTime). `hours` is any finite number
+/// and may be negative; leap seconds are not counted. With 0 hours, the text is returned unchanged.
+/// Throws std::invalid_argument if `time` is not a time, and if `hours` is not a number or too
+/// large.
 std::string LaterTime(const std::string& time, double hours);
 
 } // namespace skyline

@@ -19,7 +19,7 @@ namespace skyline
 namespace
 {
 
-constexpr const char* FrameName = "SkylineFrame"; // 6 numbers of extent, 3 of origin, 3 of spacing
+constexpr const char* FrameName = "SkylineFrame"; // 6 values of extent, 3 of origin, 3 of spacing
 const std::string Prefix = "SkylineLight_";
 
 vtkSmartPointer<vtkDataArray> Renamed(vtkDataArray* array, const std::string& name)

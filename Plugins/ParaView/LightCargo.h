@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light of a height field as field data of its surface: ParaView moves the geometry that a
-// representation makes from the processes that hold data to those that draw, and nothing else.
+// Passes the light of a height field on as field data of its surface. ParaView moves only the
+// geometry of a representation from the processes that hold data to those that draw.
 #ifndef skyline_LightCargo_h
 #define skyline_LightCargo_h
 
@@ -18,12 +18,12 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// Puts the image's frame and those of the named point arrays that it has into the field data of
-/// `surface`. Values are shared, not copied.
+/// Stores in the field data of `surface` the extent, origin and spacing of the image, and those of
+/// the named point arrays that it has. The values are shared, not copied.
 void PackLight(vtkImageData* image, const std::vector<std::string>& arrays, vtkDataObject* surface);
 
-/// The image that was packed into `surface` or, of a composite data set, into the first block that
-/// carries one; null where there is none.
+/// The image that PackLight stored in `surface` or, in a composite data set, in the first block
+/// that has one; null if there is none.
 vtkSmartPointer<vtkImageData> UnpackLight(vtkDataObject* surface);
 
 } // namespace skyline

@@ -21,7 +21,7 @@ vtkStandardNewMacro(vtkPVHeightFieldIrradiance);
 namespace
 {
 
-// What vtkErrorMacro wrote after the place in the source and the object's address.
+// The part of an error message after the place in the source and the address of the object.
 std::string ReasonOf(std::string report)
 {
   const std::size_t place = report.find("): ");
@@ -105,7 +105,7 @@ void vtkPVHeightFieldIrradiance::RemoveAllLamps()
   this->Lamps.clear();
 }
 
-// Where the sun stands is also where the skies by formula are brightest.
+// Sets the direction of the sun. The CIE and Perez skies are brightest there, too.
 void vtkPVHeightFieldIrradiance::PlaceSun(const skyline::HorizonScene& scene)
 {
   this->SunLight->SetSwitch(this->Sun != NO_SUN);

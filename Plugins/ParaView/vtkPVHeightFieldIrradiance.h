@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPVHeightFieldIrradiance
- * @brief   vtkHeightFieldIrradiance with its lights as plain properties
+ * @brief   vtkHeightFieldIrradiance for ParaView, with its lights as properties
  *
- * ParaView's panels, state files and animations know numbers, texts and lists of them. So this holds
- * one sun, one sky and any number of lamps, and makes the light objects of them.
+ * ParaView's panels, state files and animations support only numbers, texts and lists of them.
+ * Therefore this filter has properties for one sun, one sky and any number of lamps, from which it
+ * makes the light objects.
  */
 #ifndef vtkPVHeightFieldIrradiance_h
 #define vtkPVHeightFieldIrradiance_h
@@ -33,27 +34,28 @@ public:
   enum SunType
   {
     NO_SUN = 0,
-    SUN_BY_DIRECTION = 1, ///< SunAzimuth, SunElevation
-    SUN_BY_TIME = 2       ///< SunTime and HoursLater; needs a georeference
+    SUN_BY_DIRECTION = 1, ///< direction by SunAzimuth and SunElevation
+    SUN_BY_TIME = 2       ///< direction by SunTime and HoursLater; needs a georeference
   };
   enum SkyType
   {
     NO_SKY = 0,
-    UNIFORM_SKY = 1, ///< SkyRadiance all over
-    FILE_SKY = 2,    ///< the light map EnvironmentFile times SkyRadiance
-    CIE_SKY = 3,     ///< CieType, zenith SkyRadiance
-    PEREZ_SKY = 4    ///< of DirectIrradiance and DiffuseIrradiance, times SkyRadiance
+    UNIFORM_SKY = 1, ///< radiance SkyRadiance in all directions
+    FILE_SKY = 2,    ///< the light map EnvironmentFile, multiplied by SkyRadiance
+    CIE_SKY = 3,     ///< sky CieType, with SkyRadiance at the zenith
+    PEREZ_SKY = 4    ///< from DirectIrradiance and DiffuseIrradiance, times SkyRadiance
   };
 
   ///@{
-  /// Which sun shines; default SUN_BY_DIRECTION. The skies CIE_SKY and PEREZ_SKY are bright around the
-  /// place of the sun even where none shines.
+  /// The kind of sun; default SUN_BY_DIRECTION. The skies CIE_SKY and PEREZ_SKY are bright around
+  /// the position of the sun even with NO_SUN.
   vtkSetClampMacro(Sun, int, NO_SUN, SUN_BY_TIME);
   vtkGetMacro(Sun, int);
   ///@}
 
   ///@{
-  /// See vtkSkylineSunLight; defaults 315, 45, 0.26645 degrees, 1, 1, 1. By time the radius is true.
+  /// See vtkSkylineSunLight. Defaults: azimuth 315, elevation 45, radius 0.26645 degrees;
+  /// irradiance 1, 1, 1. With SUN_BY_TIME, the radius follows from the distance of the sun.
   void SetSunAzimuth(double degrees);
   void SetSunElevation(double degrees);
   void SetSunAngularRadius(double degrees);
@@ -62,7 +64,8 @@ public:
   ///@}
 
   ///@{
-  /// UTC as ISO 8601, for instance 2026-06-21T14:00Z, and hours after it; default empty, 0.
+  /// A time in ISO 8601, UTC unless a zone is given, such as 2026-06-21T14:00Z (default: empty),
+  /// and hours after that time (default: 0).
   vtkSetMacro(SunTime, std::string);
   vtkGetMacro(SunTime, std::string);
   vtkSetMacro(HoursLater, double);
@@ -70,13 +73,14 @@ public:
   ///@}
 
   ///@{
-  /// Which sky shines; default UNIFORM_SKY.
+  /// The kind of sky; default UNIFORM_SKY.
   vtkSetClampMacro(Sky, int, NO_SKY, PEREZ_SKY);
   vtkGetMacro(Sky, int);
   ///@}
 
   ///@{
-  /// See vtkSkylineEnvironmentLight; defaults 1, 1, 1; 12; 800, 100 W/m^2.
+  /// See vtkSkylineEnvironmentLight. Defaults: radiance 1, 1, 1; CIE type 12; direct irradiance 800
+  /// and diffuse irradiance 100 W/m^2.
   void SetSkyRadiance(double red, double green, double blue);
   void SetCieType(int type);
   void SetDirectIrradiance(double irradiance);
@@ -84,19 +88,21 @@ public:
   ///@}
 
   ///@{
-  /// A light map that vtkSkylineLightMapReader reads (.hdr, .exr), for FILE_SKY; read once.
+  /// The light map file for FILE_SKY, in a format of vtkSkylineLightMapReader (.hdr, .exr). It is read
+  /// once. Default: empty.
   vtkSetMacro(EnvironmentFile, std::string);
   vtkGetMacro(EnvironmentFile, std::string);
   ///@}
 
   ///@{
-  /// Degrees by which the light map is turned clockwise, seen from above; default 0.
+  /// Degrees by which the light map is turned clockwise, seen from above. Default: 0.
   vtkSetMacro(Rotation, double);
   vtkGetMacro(Rotation, double);
   ///@}
 
   ///@{
-  /// Lamps: position (x, y in the image's coordinates, height), radius, all in metres; radiance.
+  /// Adds a lamp: position (x and y in coordinates of the image, z in the frame of the heights) and
+  /// radius, all in metres, and radiance (RGB). RemoveAllLamps removes all lamps. Default: none.
   void AddLamp(double x, double y, double z, double radius, double red, double green, double blue);
   void RemoveAllLamps();
   ///@}
@@ -121,7 +127,7 @@ private:
   vtkNew<vtkSkylineSunLight> SunLight;
   vtkNew<vtkSkylineEnvironmentLight> SkyLight;
   std::vector<vtkSmartPointer<vtkSkylineLampLight>> Lamps;
-  std::string ReadFile; // whose light map the sky holds
+  std::string ReadFile; // the file whose light map the sky holds
 
   vtkPVHeightFieldIrradiance(const vtkPVHeightFieldIrradiance&) = delete;
   void operator=(const vtkPVHeightFieldIrradiance&) = delete;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPVHeightFieldSunShadow
- * @brief   vtkHeightFieldSunShadow with a time that ParaView can animate
+ * @brief   vtkHeightFieldSunShadow for ParaView, with a time that can be animated
  *
- * ParaView animates numbers, not texts: the sun stands where it does HoursLater after Time.
+ * ParaView can animate numbers, but not texts. The sun is where it stands HoursLater after Time.
  */
 #ifndef vtkPVHeightFieldSunShadow_h
 #define vtkPVHeightFieldSunShadow_h
@@ -21,7 +21,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Hours after Time, also negative; default 0.
+  /// Hours after Time; may be negative. Default: 0.
   vtkSetMacro(HoursLater, double);
   vtkGetMacro(HoursLater, double);
   ///@}

@@ -60,7 +60,7 @@ protected:
     this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
   }
 
-  // The light is the shader's alone.
+  // Only the shader computes light.
   void ReplaceShaderLight(std::map<vtkShader::Type, vtkShader*>, vtkRenderer*, vtkActor*) override
   {
   }
@@ -80,7 +80,7 @@ private:
 vtkStandardNewMacro(SoftShadowHelper);
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-// Puts the helper in the place of VTK's own.
+// Replaces VTK's helper by SoftShadowHelper.
 class SoftShadowDelegator : public vtkOpenGLCompositePolyDataMapperDelegator
 {
 public:
@@ -114,7 +114,7 @@ bool IsLinear(vtkTexture* texture)
   return texture && texture->GetUseSRGBColorSpace();
 }
 
-// Whether a texture of the actor's is turned into linear light by OpenGL.
+// True if OpenGL converts a texture of the actor to linear light.
 bool HasLinearTexture(vtkActor* actor)
 {
   const auto& textures = actor->GetProperty()->GetAllTextures();
@@ -148,7 +148,7 @@ vtkSkylineSoftShadowShader* vtkSkylineSoftShadowCompositeMapper::GetShader()
   return this->Shader;
 }
 
-// A changed light is no change of the mapper: it would build the shader anew.
+// A change of the light does not change the mapper, which would otherwise build its shader again.
 vtkMTimeType vtkSkylineSoftShadowCompositeMapper::GetMTime()
 {
   return std::max(this->Superclass::GetMTime(), this->Shader->GetTextTime());
@@ -159,7 +159,7 @@ void vtkSkylineSoftShadowCompositeMapper::Render(vtkRenderer* renderer, vtkActor
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window || !this->GetInputDataObject(0, 0) || !this->Shader->GetHeightField())
   {
-    return; // nothing delivered to this process
+    return; // this process received nothing
   }
   this->Shader->SetLinearTextures(HasLinearTexture(actor));
   this->Shader->SetLinearFramebuffer(window->GetUsingSRGBColorSpace());
@@ -177,7 +177,7 @@ void vtkSkylineSoftShadowCompositeMapper::ReleaseGraphicsResources(vtkWindow* wi
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
-// Far from the origin the places in the textures need all digits that a float has.
+// Far from the origin, the coordinates in the textures need the full precision of a float.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 vtkCompositePolyDataMapperDelegator* vtkSkylineSoftShadowCompositeMapper::CreateADelegator()
 {

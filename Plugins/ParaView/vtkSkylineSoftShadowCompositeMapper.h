@@ -3,8 +3,8 @@
  * @class   vtkSkylineSoftShadowCompositeMapper
  * @brief   draws composite data in the light of a vtkSkylineSoftShadowShader
  *
- * The mapper of ParaView's surfaces with the shader patch that vtkSkylineSoftShadowPolyDataMapper draws with.
- * What cannot be drawn is reported once, in one line; then nothing is drawn.
+ * This is the mapper of ParaView's surfaces with the shader code of vtkSkylineSoftShadowPolyDataMapper. If
+ * something cannot be drawn, nothing is drawn, and the reason is reported once, in one line.
  */
 #ifndef vtkSkylineSoftShadowCompositeMapper_h
 #define vtkSkylineSoftShadowCompositeMapper_h
@@ -14,7 +14,7 @@
 #include "vtkSmartPointer.h"        // For Shader
 #include "vtkVersionMacros.h"
 
-// ParaView 5.12 and later batch the blocks by another class of VTK than 5.11.
+// ParaView 5.12 and later use another VTK class than 5.11 to draw blocks in batches.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 #include "vtkCompositePolyDataMapper.h"
 #else
@@ -40,7 +40,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The light; several mappers may share one. Never null.
+  /// The light. Several mappers may share one. It is never null.
   void SetShader(vtkSkylineSoftShadowShader* shader);
   vtkSkylineSoftShadowShader* GetShader();
   ///@}

@@ -25,9 +25,9 @@ vtkStandardNewMacro(vtkSkylineSoftShadowGeometry);
 namespace
 {
 
-constexpr int MostComponents = 4; // of arrays worth a copy on the surface: numbers and colours
+constexpr int MostComponents = 4; // of arrays that are copied to the surface: numbers, colours
 
-// The point arrays of the posts that the surface's points stand on.
+// Copies the point arrays of the posts under the points of the surface.
 void PassPoints(vtkImageData* image, vtkPolyData* surface)
 {
   const std::array<int, 6> extent = [&]
@@ -108,7 +108,7 @@ int vtkSkylineSoftShadowGeometry::RequestData(
     heights = heights ? heights : image->GetPointData()->GetScalars();
     name = heights && heights->GetName() ? heights->GetName() : "";
   }
-  vtkNew<vtkImageData> copy; // an input of its own, so that no request runs up the pipeline
+  vtkNew<vtkImageData> copy; // a separate input: requests do not reach the upstream pipeline
   copy->ShallowCopy(image);
   vtkNew<vtkHeightFieldSurface> surface;
   surface->SetInputDataObject(copy);

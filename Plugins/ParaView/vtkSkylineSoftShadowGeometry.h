@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkylineSoftShadowGeometry
- * @brief   what vtkSkylineSoftShadowRepresentation draws: the surface of a height field, and its light
+ * @brief   the surface of a height field and its light, as drawn by vtkSkylineSoftShadowRepresentation
  *
- * Input: a whole vtkImageData of one slice; on a process without data anything else, which gives an
- * empty surface. Output: the triangles of vtkHeightFieldSurface with the point arrays of up to four
- * components, and in the field data what skyline::PackLight puts there. In a parallel run the first
- * process makes the surface, and the others none, so that no seam and nothing twice is drawn.
+ * Input: a whole vtkImageData of one slice. On a process without data, any other data set, for
+ * which the surface is empty. Output: the triangles of vtkHeightFieldSurface with the point arrays
+ * of up to four components, and in the field data what skyline::PackLight stores there. In a
+ * parallel run, the first process makes the whole surface and the others make none, so that there
+ * are no seams and nothing is drawn twice.
  */
 #ifndef vtkSkylineSoftShadowGeometry_h
 #define vtkSkylineSoftShadowGeometry_h
@@ -28,13 +29,14 @@ public:
   static constexpr int AUTOMATIC = -1;
 
   ///@{
-  /// Name of the point array with the heights; default empty: Elevation, or else the active scalars.
+  /// Name of the point array with the heights. Default: empty, which means Elevation, or the active
+  /// scalars if there is no such array.
   vtkSetMacro(ElevationArray, std::string);
   vtkGetMacro(ElevationArray, std::string);
   ///@}
 
   ///@{
-  /// See vtkHeightFieldSurface; default 1.
+  /// See vtkHeightFieldSurface. Default: 1.
   vtkSetMacro(Exaggeration, double);
   vtkGetMacro(Exaggeration, double);
   vtkSetClampMacro(Stride, int, 1, VTK_INT_MAX);
@@ -42,8 +44,8 @@ public:
   ///@}
 
   ///@{
-  /// Which light to pack, see vtkSkylineSoftShadowShader::ModeType; default AUTOMATIC: the first of
-  /// Irradiance, TransferSH and VisibilitySH that is there.
+  /// The light to pass on, see vtkSkylineSoftShadowShader::ModeType. Default: AUTOMATIC, which takes the
+  /// first of Irradiance, TransferSH and VisibilitySH that exists.
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
   ///@}

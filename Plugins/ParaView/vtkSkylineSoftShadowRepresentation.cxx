@@ -30,11 +30,12 @@ namespace
 
 constexpr int Bands = 4; // of the arrays that the shader reads
 
-// As in vtkHeightFieldShading: the brightest posts but 2 % are as bright as AutoLevel, a white ground.
+// As in vtkHeightFieldShading: AutoLevel, a white ground, is the level that only the brightest 2 %
+// of the posts exceed.
 constexpr double SampleShare = 0.98;
 constexpr vtkIdType LargestSample = 100000;
 
-// Stops that show irradiance best.
+// The exposure in stops that shows this irradiance best.
 double ExposureOf(double irradiance)
 {
   return irradiance > 0.0 ? std::log2(vtkHeightFieldShading::AutoLevel * skyline::Pi / irradiance)
@@ -67,7 +68,7 @@ double ExposureOf(vtkDataArray* irradiance)
   return ExposureOf(static_cast<double>(*place));
 }
 
-// The light that was packed.
+// The mode of the light that the image contains.
 int ModeOf(vtkImageData* image)
 {
   vtkPointData* light = image ? image->GetPointData() : nullptr;
@@ -134,7 +135,7 @@ int vtkSkylineSoftShadowRepresentation::FillInputPortInformation(int, vtkInforma
   return 1;
 }
 
-// The first process draws it all.
+// The first process draws everything.
 int vtkSkylineSoftShadowRepresentation::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out)
 {
@@ -160,7 +161,7 @@ int vtkSkylineSoftShadowRepresentation::ProcessViewRequest(
   return done;
 }
 
-// The light that came with the geometry, and the exposure that shows it.
+// Takes over the light that came with the geometry, and the exposure that suits it.
 void vtkSkylineSoftShadowRepresentation::UpdateLight()
 {
   vtkDataObject* data = this->Mapper->GetInputDataObject(0, 0);
@@ -186,7 +187,7 @@ void vtkSkylineSoftShadowRepresentation::UpdateLight()
     light.Add(key);
     const std::vector<double>& sum = light.GetCoefficients();
     constexpr std::size_t count = Bands * Bands;
-    const double even = std::sqrt(4.0 * skyline::Pi); // the coefficient of 1
+    const double even = std::sqrt(4.0 * skyline::Pi); // coefficient of the constant function 1
     for (std::size_t i = 0; i < count; ++i)
     {
       const double* sky = this->SkyRadiance;

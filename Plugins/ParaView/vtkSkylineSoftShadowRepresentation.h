@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkylineSoftShadowRepresentation
- * @brief   Soft Shadow Surface: a height field in its own light
+ * @brief   the representation Soft Shadow Surface: a height field in its own light
  *
- * Draws the surface of an image of heights with the light that its point arrays hold, at the
- * resolution of the posts (vtkSkylineSoftShadowShader): Irradiance as it is; or TransferSH or VisibilitySH
- * times a key light and a sky, which move without new horizons. Colours of ParaView (solid or by an
- * array) are the albedo; its lights count for nothing. The whole height field is drawn by the first
- * process of a parallel run.
+ * Draws the surface of an image of heights in the light that its point arrays hold, at the
+ * resolution of the posts (vtkSkylineSoftShadowShader). The light is the array Irradiance, or TransferSH
+ * or VisibilitySH with a key light and a sky, which can move without new horizons. The colours of
+ * ParaView (a solid colour or an array) are the albedo. The lights of ParaView have no effect. In a
+ * parallel run, the first process draws the whole height field.
  */
 #ifndef vtkSkylineSoftShadowRepresentation_h
 #define vtkSkylineSoftShadowRepresentation_h
@@ -36,30 +36,32 @@ public:
   void SetStride(int posts);
   ///@}
 
-  /// Where light comes from, see vtkSkylineSoftShadowShader::ModeType; default
+  /// The array that gives the light, see vtkSkylineSoftShadowShader::ModeType. Default:
   /// vtkSkylineSoftShadowGeometry::AUTOMATIC.
   void SetLightMode(int mode);
 
   ///@{
-  /// The key light of TRANSFER and VISIBILITY: a disc at Azimuth, degrees clockwise from grid north
-  /// (default 315), and Elevation (default 45), with Radius, degrees (default 0.27; below 20 the
-  /// harmonics blur more); irradiance on a plane that faces it, RGB (default 3, 3, 3).
+  /// The key light of TRANSFER and VISIBILITY, a disc. KeyAzimuth: degrees clockwise from grid
+  /// north (default 315). KeyElevation: degrees (default 45). KeyRadius: angular radius in degrees
+  /// (default 0.27; the harmonics blur discs below 20 degrees more). KeyIrradiance: irradiance on a
+  /// plane that faces the light, RGB (default 3, 3, 3).
   vtkSetMacro(KeyAzimuth, double);
   vtkSetMacro(KeyElevation, double);
   vtkSetClampMacro(KeyRadius, double, 0.0, 89.0);
   vtkSetVector3Macro(KeyIrradiance, double);
   ///@}
 
-  /// Radiance of the uniform sky of TRANSFER and VISIBILITY, RGB; default 0.2, 0.25, 0.3.
+  /// Radiance of the uniform sky of TRANSFER and VISIBILITY, RGB. Default: 0.2, 0.25, 0.3.
   vtkSetVector3Macro(SkyRadiance, double);
 
   ///@{
-  /// Exposure in stops; with AutoExposure (default) a correction of what shows the light best.
+  /// Exposure in stops. With AutoExposure (the default), it is a correction of the exposure that
+  /// shows the light best.
   vtkSetMacro(Exposure, double);
   vtkSetMacro(AutoExposure, bool);
   ///@}
 
-  /// The tone curve, see vtkSkylineSoftShadowShader; default on.
+  /// Whether the tone curve is applied, see vtkSkylineSoftShadowShader. Default: true.
   void SetToneMapping(bool on);
 
   int ProcessViewRequest(
@@ -86,7 +88,7 @@ private:
   double SkyRadiance[3] = { 0.2, 0.25, 0.3 };
   double Exposure = 0.0;
   bool AutoExposure = true;
-  vtkDataObject* LightOf = nullptr; // whose light the shader holds; compared, never followed
+  vtkDataObject* LightOf = nullptr; // whose light the shader holds; compared, not dereferenced
   vtkMTimeType LightTime = 0;
   double ArrayExposure = 0.0;
 

@@ -142,7 +142,7 @@ class Benchmark(ToolTest):
         self.succeed("benchmark", "-o", "report", "--scenes", "hills", "--sizes", "32",
                      "--budget", 0)
         page = Page(self.read("report", "index.html"))
-        for words in ["For want of time", "0 of ", "--quantities horizon", "--budget 600"]:
+        for words in ["There was no time for", "0 of ", "--quantities horizon", "--budget 600"]:
             self.assertIn(words, page.text)
         self.assertEqual(page.open, [])
         session = json.loads(self.read("report", "results.json"))

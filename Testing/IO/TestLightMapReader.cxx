@@ -290,9 +290,8 @@ TEST(LightMapReader, MendedPixelsAreSaid)
     ASSERT_EQ(said.size(), defects ? 1u : 0u);
     if (defects)
     {
-      EXPECT_NE(
-        said[0].find("2 negative, 3 that are no numbers, 1 infinite; assuming 0 for them, the "
-                     "greatest finite value of their channel for the infinite ones"),
+      EXPECT_NE(said[0].find("2 negative, 3 not a number, 1 infinite; assuming 0 for them, the "
+                             "greatest finite value of their channel for the infinite ones"),
         std::string::npos)
         << said[0];
     }
@@ -461,7 +460,7 @@ TEST(LightMapReaderFailures, HugeHeader)
   std::ofstream(path) << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1000000 +X 2000000\n";
   ExpectFailure(path, vtkErrorCode::FileFormatError, "32768 x 16384 at most");
   std::ofstream(path) << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8192 +X 16384\n";
-  ExpectFailure(path, vtkErrorCode::FileFormatError, "64 pixels a byte");
+  ExpectFailure(path, vtkErrorCode::FileFormatError, "64 pixels per byte");
   std::ofstream(path) << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2048 +X 4096\n"; // believed
   ExpectFailure(path, vtkErrorCode::PrematureEndOfFileError, "cannot read the pixels");
 }
@@ -472,7 +471,7 @@ TEST(LightMapReaderFailures, ClaimsBeyondTheFile)
   Picture picture;
   picture.FullColumns = 32768;
   picture.FullLines = 16384;
-  ExpectFailure(Write("window.exr", picture), vtkErrorCode::FileFormatError, "64 pixels a byte");
+  ExpectFailure(Write("window.exr", picture), vtkErrorCode::FileFormatError, "64 pixels per byte");
 
   picture = Picture();
   picture.Tile = 4;
@@ -507,7 +506,7 @@ TEST(LightMapReaderFailures, NotTwoToOneAndNoCube)
   ExpectFailure(Write("square.exr", picture), vtkErrorCode::FileFormatError, "4 x 4 pixels");
   picture.Columns = 16;
   picture.Lines = 12; // as a photograph
-  ExpectFailure(Write("photo.exr", picture), vtkErrorCode::FileFormatError, "no cross");
+  ExpectFailure(Write("photo.exr", picture), vtkErrorCode::FileFormatError, "not a cross");
 }
 
 TEST(LightMapReaderFailures, ChannelsThatAreNoColours)

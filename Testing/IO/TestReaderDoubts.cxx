@@ -251,8 +251,8 @@ TEST(ReaderDoubts, HeightsOfAMapInFeet)
   recipe.Crs = "EPSG:2263";
   recipe.Transform = { 1e6, 100, 0, 2e5, 0, -100 };
   Expect(WarningsOf(Make(recipe)),
-    "counts in units of 0.3048006096 m, and nothing says in which its "
-    "heights do; assuming heights in metres");
+    "is in units of 0.3048006096 m, and the unit of its heights is not "
+    "given; assuming heights in metres");
   recipe.Unit = "m";
   EXPECT_EQ(WarningsOf(Make(recipe)), "");
 }
@@ -311,8 +311,8 @@ TEST(ReaderDoubts, UnitsThatContradict)
   vtkNew<vtkHeightFieldReader> reader;
   reader->SetFileName(Make(recipe).c_str());
   Expect(WarningsOf(reader),
-    "are in 'm' by their band, and in units of 0.3048006096 m by their CRS; "
-    "assuming the band's unit");
+    "are in 'm' according to the band, but in units of 0.3048006096 m "
+    "according to the CRS; assuming the band's unit");
   EXPECT_NEAR(HeightAt(reader->GetOutput(), 10, 0), Hill(10, 19), 1e-3);
   recipe.Unit = "US survey foot";
   EXPECT_EQ(WarningsOf(Make(recipe)), "");

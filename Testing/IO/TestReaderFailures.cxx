@@ -70,7 +70,7 @@ TEST(ReaderFailures, ClassicNetcdfThatCountsTooMuch)
     std::ofstream(file, std::ios::binary).write(header, sizeof(header));
     return file;
   };
-  const std::string words = "its netCDF header counts more than the file holds";
+  const std::string words = "its netCDF header declares more data than the file holds";
   EXPECT_NE(Fail(put("many.nc", 0, 16)).Message.find(words), std::string::npos);
   EXPECT_NE(Fail(put("one.nc", 1, 0)).Message.find(words), std::string::npos);
   EXPECT_EQ(Fail(put("none.nc", 0, 0)).Message.find(words), std::string::npos);
@@ -189,7 +189,7 @@ TEST(ReaderFailures, UnitUnknown)
          "AXIS[\"y\",north,ORDER[2]],LENGTHUNIT[\"unknown\",1]]" })
   {
     ExpectFailure(Wrap("<SRS>" + std::string(crs) + "</SRS>" + transform),
-      vtkErrorCode::FileFormatError, "of no known length");
+      vtkErrorCode::FileFormatError, "whose length is not known");
   }
   const auto metres = Read(Wrap("<SRS>LOCAL_CS[\"hall\",UNIT[\"foot\",0.3048]]</SRS>" + transform));
   EXPECT_DOUBLE_EQ(metres->GetOutput()->GetSpacing()[0], 3.048);
@@ -213,10 +213,10 @@ TEST(ReaderFailures, NoPlaceOnTheBody)
   Recipe recipe;
   recipe.Crs = "EPSG:4326";
   recipe.Transform = { 0, 10, 0, 500, 0, -10 };
-  ExpectRefusal(recipe, "has no place");
+  ExpectRefusal(recipe, "has no longitude and latitude");
   recipe.Crs = "+proj=ortho +lat_0=0 +lon_0=0 +R=1737400 +type=crs";
   recipe.Transform = { -2000000, 800000, 0, 2000000, 0, -1000000 };
-  ExpectRefusal(recipe, "has no place");
+  ExpectRefusal(recipe, "has no longitude and latitude");
 }
 
 // Goode's map is torn along 40 degrees west north of the equator and along 20 degrees west south of it.

@@ -107,7 +107,7 @@ class Doubts(ToolTest):
             wanted = math.degrees(math.atan(100.0 * metres / 90.0))
             self.assertAlmostEqual(read(out)[1][5, 5], wanted, delta=2e-3, msg=str(options))
         dem = make(self.path("dem.tif"), heights, epsg=UTM10, unit="m s-1")
-        self.refused(1, "horizon", dem, "-o", out, says="no known length")
+        self.refused(1, "horizon", dem, "-o", out, says="not a known length")
 
     def test_other_places(self):
         dem = make(self.path("dem.tif"), hills(20, 20), epsg=UTM10)

@@ -186,7 +186,7 @@ struct BenchmarkCommand
     folder.Fill(files);
     if (!this->Talk.Quiet)
     {
-      std::printf("%s: %zu measurements in %.0f s, %zu left out for want of time\n",
+      std::printf("%s: %zu measurements in %.0f s, %zu left out for lack of time\n",
         (fs::path(this->Folder) / "index.html").c_str(), session.Findings.size(), session.Seconds,
         session.LeftOut.size());
     }
