@@ -19,7 +19,7 @@ vtkOpenGLShadowHeightMap::vtkOpenGLShadowHeightMap()
 
 vtkOpenGLShadowHeightMap::~vtkOpenGLShadowHeightMap()
 {
-  this->Source.reset(); // before its device goes
+  this->Source.reset(); // must be destroyed before its device
 }
 
 void vtkOpenGLShadowHeightMap::PrintSelf(ostream& os, vtkIndent indent)
@@ -55,7 +55,7 @@ vtkMTimeType vtkOpenGLShadowHeightMap::GetMTime()
 
 bool vtkOpenGLShadowHeightMap::Compute(skyline::HorizonScene& scene, vtkImageData* output)
 {
-  const bool known = this->Method != PYRAMID && this->Surface == TRIANGLES; // else an error
+  const bool known = this->Method != PYRAMID && this->Surface == TRIANGLES; // otherwise an error
   this->Passes = known
     ? this->Source->Open(this, this->Device, scene.PreparedField(), this->Method == SWEEP)
     : nullptr;

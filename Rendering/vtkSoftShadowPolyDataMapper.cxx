@@ -21,7 +21,7 @@ vtkStandardNewMacro(vtkSoftShadowPolyDataMapper);
 vtkSoftShadowPolyDataMapper::vtkSoftShadowPolyDataMapper()
   : Shader(vtkSmartPointer<vtkSoftShadowShader>::New())
 {
-  // Far from the origin the places in the textures need all digits that a float has.
+  // Far from the origin, texture coordinates need all the digits of a float.
   this->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::ALWAYS_AUTO_SHIFT_SCALE);
 }
 
@@ -47,7 +47,8 @@ std::string vtkSoftShadowPolyDataMapper::GetFragmentShaderText()
   return this->FragmentShaderText;
 }
 
-// A changed light is no change of the mapper: it would build the shader anew.
+// A change of the lights alone does not modify the mapper, because the mapper would then build its
+// shader again.
 vtkMTimeType vtkSoftShadowPolyDataMapper::GetMTime()
 {
   return std::max(this->Superclass::GetMTime(), this->Shader->GetTextTime());
@@ -102,7 +103,7 @@ void vtkSoftShadowPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
-// Of the primitives whose shader is being built.
+// The type of normals of the primitives whose shader is being built.
 int vtkSoftShadowPolyDataMapper::NormalsOf(vtkActor* actor)
 {
   const bool faces = actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
@@ -120,13 +121,13 @@ void vtkSoftShadowPolyDataMapper::ReplaceShaderValues(
   this->FragmentShaderText = shaders[vtkShader::Fragment]->GetSource();
 }
 
-// The light is the shader's alone.
+// All light comes from vtkSoftShadowShader.
 void vtkSoftShadowPolyDataMapper::ReplaceShaderLight(
   std::map<vtkShader::Type, vtkShader*>, vtkRenderer*, vtkActor*)
 {
 }
 
-// In RECEIVER the shader takes the normals itself.
+// In the mode RECEIVER, vtkSoftShadowShader computes the normals.
 void vtkSoftShadowPolyDataMapper::ReplaceShaderNormal(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
 {

@@ -214,7 +214,7 @@ TEST_F(ShadowGpu, AFieldBeyondTheLargestTextureIsTheHosts)
   EXPECT_FALSE(gpu->IsOnDevice());
   EXPECT_EQ(errors->Count, 1);
   EXPECT_NE(
-    errors->Text.find("50 x 30 posts are beyond the largest texture, 40 a side"), std::string::npos)
+    errors->Text.find("50 x 30 posts exceed the largest texture, 40 a side"), std::string::npos)
     << errors->Text;
   vtkNew<vtkShadowHeightMap> host;
   host->SetInputData(image);

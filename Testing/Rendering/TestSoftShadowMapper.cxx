@@ -490,7 +490,7 @@ TEST_F(SoftShadowErrors, BeyondTheLargestTexture)
   const auto strip = Terrain(limit + 1, 2, [](int, int) { return 0.0; });
   AddArray(strip, "Irradiance", 3, [](int, int) { return std::vector<double>(3, 1.0); });
   this->Shader()->SetHeightField(strip);
-  this->ExpectRefused("beyond this OpenGL's largest texture");
+  this->ExpectRefused("exceed the largest texture of this OpenGL");
 }
 
 TEST_F(SoftShadowErrors, NoContext)
