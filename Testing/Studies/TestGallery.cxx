@@ -160,7 +160,7 @@ TEST_F(Gallery, KeyLights)
   this->ExpectFalling("sn08-3", { "k = 1", "k = 2", "k = 3" }, exact);
   this->ExpectFalling("sn08-4", { "o = 0", "o = 1", "o = 2", "o = 3", "o = 4" }, exact);
   this->ExpectFalling("sn08-10", { "k = o = 1", "k = o = 2", "k = o = 4", "k = o = 8" }, exact);
-  const std::string edge = "steepest edge, % of the open light a metre";
+  const std::string edge = "steepest edge, % of the open light per metre";
   this->ExpectFalling("sn08-6",
     { "swath 11.25 degrees", "swath 22.5 degrees", "swath 45 degrees", "swath 90 degrees" }, edge);
   const std::string crease = "largest crease, % of the open light";
