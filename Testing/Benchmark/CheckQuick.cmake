@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Runs the program PROGRAM with --quick: it must end well and print its table. A test's own
-# PASS_REGULAR_EXPRESSION would not look at the exit code.
+# Runs the program PROGRAM with --quick, which must succeed and print its table. A
+# PASS_REGULAR_EXPRESSION of the test would not check the exit code.
 execute_process(
   COMMAND "${PROGRAM}" --quick --csv "${CSV}"
   OUTPUT_VARIABLE output

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 cmake_minimum_required(VERSION 3.25)
 
-# run(<command>...): ends the test at the first command that fails.
+# run(<command>...): ends the test if the command fails.
 function (run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
   if (NOT result EQUAL 0)
@@ -9,12 +9,12 @@ function (run)
   endif ()
 endfunction ()
 
-# What an older run left must not help this one.
+# Files of an earlier run must not affect this one.
 file(REMOVE_RECURSE "${WORK_DIR}")
 file(MAKE_DIRECTORY "${WORK_DIR}")
 run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${WORK_DIR}/first")
 
-# Moved after installation: nothing in it may depend on the place where it was installed.
+# The installation is moved, because it must not depend on the folder into which it was installed.
 set(prefix "${WORK_DIR}/prefix")
 file(RENAME "${WORK_DIR}/first" "${prefix}")
 run("${CMAKE_COMMAND}" -S "${CONSUMER_DIR}" -B "${WORK_DIR}/build" -G "${GENERATOR}"
@@ -24,7 +24,7 @@ run("${CMAKE_COMMAND}" -S "${CONSUMER_DIR}" -B "${WORK_DIR}/build" -G "${GENERAT
   "-DVTK_DIR=${VTK_DIR}"
   "-DCMAKE_PREFIX_PATH=${prefix}")
 
-# The package of this prefix was found, not one of the system.
+# The package must be that of this installation, not one of the system.
 file(STRINGS "${WORK_DIR}/build/CMakeCache.txt" found REGEX "^Skyline_DIR")
 if (NOT found STREQUAL "Skyline_DIR:PATH=${prefix}/${LIBRARY_DIR}/cmake/Skyline")
   message(FATAL_ERROR "found another package: ${found}")
