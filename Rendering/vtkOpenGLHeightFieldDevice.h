@@ -68,8 +68,8 @@ public:
   vtkGetMacro(Generation, int);
 
 #ifndef __VTK_WRAP__
-  skyline::GpuDevice& Gpu(); ///< for the filters vtkOpenGL...
-  skyline::GpuLimits Limits() const;
+  skyline::GpuDevice& Gpu();         ///< for the filters vtkOpenGL...
+  skyline::GpuLimits Limits() const; ///< TextureLimit and MemoryLimit
 #endif
 
 protected:

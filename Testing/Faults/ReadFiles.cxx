@@ -121,7 +121,7 @@ int main(int argc, char** argv)
     return 2;
   }
   const auto patience = static_cast<unsigned int>(std::strtoul(argv[1], nullptr, 10));
-  vtkOutputWindow::GetInstance()->SetDisplayModeToNever(); // for errors that nobody observes
+  vtkOutputWindow::GetInstance()->SetDisplayModeToNever(); // for errors without an observer
   std::string kind, file;
   while (std::cin >> kind && std::getline(std::cin >> std::ws, file))
   {
