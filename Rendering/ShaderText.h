@@ -32,11 +32,11 @@ extern const char* skyline_Visibility;
 namespace skyline
 {
 
-/// Returns one part of a file: the lines after `//Skyline::Part` up to the next line that begins
-/// with `//Skyline::`, or, if the name is empty, the lines before the first of them.
-/// Placeholders that C++ replaces are written `//Fill::Name`. This function replaces `//Fill::Pi`
-/// and `//Fill::AngleTerms` by the numbers of Constants.h. All other lines with only a comment are
-/// removed, so that a search in the text of a shader finds code alone.
+// Returns one part of a file: the lines after `//Skyline::Part` up to the next line that begins
+// with `//Skyline::`, or, if the name is empty, the lines before the first of them.
+// Placeholders that C++ replaces are written `//Fill::Name`. This function replaces `//Fill::Pi`
+// and `//Fill::AngleTerms` by the numbers of Constants.h. All other lines with only a comment are
+// removed, so that a search in the text of a shader finds code alone.
 std::string ShaderPart(const char* file, const std::string& part = std::string());
 
 } // namespace skyline
