@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK images of the oracle's fields, and the arrays that filters make of them.
+// VTK images of the oracle's fields, and the arrays that filters compute from them.
 #ifndef skyline_FieldImage_h
 #define skyline_FieldImage_h
 

@@ -21,14 +21,14 @@ namespace skyline
 namespace
 {
 
-/// Rows whose coefficients are kept at a time.
+/// Number of rows whose coefficients are in memory at once.
 constexpr std::ptrdiff_t RowsAtATime = 8;
 
-/// Below this sine of its radius a disc is a point of its solid angle: in 8 bands that errs by l (l +
-/// 1) s^2 / 8 = 7e-8 at most.
+/// If the sine of its angular radius is below this value, a disc is treated as a point with the
+/// same solid angle. With 8 bands the error is at most l (l + 1) s^2 / 8 = 7e-8.
 constexpr double PointSine = 1.0e-4;
 
-/// The greatest slope up to a distance: the visitor of a LampWalk.
+/// Finds the greatest slope up to a distance. This is the visitor of a LampWalk.
 struct NearHorizon
 {
   double Distance;
@@ -52,7 +52,7 @@ struct NearHorizon
   }
 };
 
-/// Heights of the receivers of a row, with the lonely ones.
+/// The heights of the receivers of a row, including posts without a complete cell.
 class Receivers
 {
 public:
@@ -213,8 +213,9 @@ void AddLampHarmonics(const LampTerrain& terrain, const Grid& grid, const float*
             [](double v) { return static_cast<float>(v); });
           RotateZonal(
             bands, zonalFacing, -slopeEast[post] * up, -slopeNorth[post] * up, up, facing);
-          // THESIS cuts the product of visibility and cosine off before the light comes: the same,
-          // since the light holds no further band.
+          // THESIS truncates the product of visibility and cosine before it multiplies by the
+          // light. The result is the same, because the light has no coefficients in the truncated
+          // bands.
           sum = product.TripleIntegral(seen, facing, light);
         }
         for (int band = 0; band < 3; ++band)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light of a lamp by shooting rays at triangles, in double precision. Tests only.
+// The light of a lamp, by testing rays against triangles in double precision. For tests only.
 #ifndef skyline_LampOracle_h
 #define skyline_LampOracle_h
 
@@ -45,14 +45,14 @@ inline Vector3 Unit(const Vector3& a)
   return (1.0 / std::sqrt(Dot(a, a))) * a;
 }
 
-/// The post in space: metres east and north of post (0, 0), and up.
+/// The position of a post: metres east and north of post (0, 0), and height.
 inline Vector3 PlaceOf(const OracleField& field, std::ptrdiff_t column, std::ptrdiff_t row)
 {
   return { static_cast<double>(column) * field.SpacingX, static_cast<double>(row) * field.SpacingY,
     field.At(column, row) };
 }
 
-/// Whether a ray from o along d meets the triangle a, b, c at a parameter in (0, end].
+/// Whether a ray from o in the direction d meets the triangle a, b, c at a parameter in (0, end].
 inline bool MeetsTriangle(const Vector3& o, const Vector3& d, const Vector3& a, const Vector3& b,
   const Vector3& c, double end)
 {
@@ -64,12 +64,12 @@ inline bool MeetsTriangle(const Vector3& o, const Vector3& d, const Vector3& a, 
   }
   const Vector3 s = o - a, q = Cross(s, u);
   const double i = Dot(s, p) / det, j = Dot(d, q) / det, t = Dot(v, q) / det;
-  constexpr double slack = 1e-12; // no ray slips through between two triangles
+  constexpr double slack = 1e-12; // no ray passes between two triangles
   return i >= -slack && j >= -slack && i + j <= 1.0 + slack && t > 1e-9 * end && t <= end;
 }
 
-/// Whether terrain (triangles; no sink) stops the ray from a post along a unit vector within `end`
-/// metres. A ray that starts downwards into the surface is stopped at once.
+/// Whether terrain (triangles, without sink) blocks the ray from a post along a unit vector within
+/// `end` metres. A ray that starts downwards into the surface is blocked at once.
 inline bool Stopped(
   const OracleField& field, std::ptrdiff_t column, std::ptrdiff_t row, const Vector3& d, double end)
 {
@@ -84,11 +84,12 @@ inline bool Stopped(
       {
         continue;
       }
-      // The heights of the triangle at the post grow by ex a column and ey a row.
+      // The heights of the triangle at the post grow by ex per column and by ey per row.
       const double sw = field.At(column + di, row + dj), se = field.At(column + di + 1, row + dj);
       const double nw = field.At(column + di, row + dj + 1);
       const double ne = field.At(column + di + 1, row + dj + 1);
-      // A post on the diagonal has both triangles, the post (1, 0) of a cell the south-east one.
+      // A post on the diagonal belongs to both triangles, the post (1, 0) of a cell to the
+      // south-eastern one.
       const bool southEast = di == dj ? a > b : di == -1;
       const double ex = southEast ? se - sw : ne - nw, ey = southEast ? ne - se : nw - sw;
       if (a * ex + b * ey > d.Z)
@@ -97,7 +98,7 @@ inline bool Stopped(
       }
     }
   }
-  // Every row of cells, and in it every cell that the ray's shadow on the map crosses.
+  // All rows of cells, and in each row all cells that the ray crosses on the map.
   for (std::ptrdiff_t j = 0; j + 1 < field.Rows; ++j)
   {
     const double south = static_cast<double>(j) * field.SpacingY - o.Y;
@@ -145,8 +146,8 @@ struct Ball
   double Radius;
 };
 
-/// The irradiance of a post (unit normal n) from a ball of unit radiance, by side x side rays into
-/// the cells of an even grid over the ball's disc. The post is outside the ball.
+/// The irradiance of a post (unit normal n) from a ball of unit radiance, by side x side rays, one
+/// into each cell of an even grid over the disc of the ball. The post must lie outside the ball.
 inline double BallIrradiance(const OracleField& field, std::ptrdiff_t column, std::ptrdiff_t row,
   const Vector3& n, const Ball& ball, int side, bool shadowed = true, std::uint64_t seed = 1)
 {
@@ -158,7 +159,7 @@ inline double BallIrradiance(const OracleField& field, std::ptrdiff_t column, st
     Unit(Cross(std::abs(w.X) < 0.5 ? Vector3{ 1.0, 0.0, 0.0 } : Vector3{ 0.0, 1.0, 0.0 }, w));
   const Vector3 v = Cross(w, u);
   const double sine = ball.Radius / distance;
-  // 1 - cos of the angular radius, without cancelling.
+  // 1 - cos of the angular radius, without cancellation.
   const double depth = sine * sine / (1.0 + std::sqrt(1.0 - sine * sine));
   double sum = 0.0;
   for (int j = 0; j < side; ++j)

@@ -14,10 +14,11 @@ namespace skyline
 namespace
 {
 
-/// A sample of which less is terrain than this has no height.
+/// A sample has no height if its coverage by terrain is less than this value.
 constexpr double LeastCoverage = 1.0e-6;
 
-/// The taps of a place on an axis: linear between the posts of the finest level.
+/// The taps of a position on an axis. Between the posts of the finest level the interpolation is
+/// linear.
 SplineTaps TapsOf(const HeightPyramid& pyramid, int level, double place, std::ptrdiff_t samples)
 {
   if (level < pyramid.Levels() - 1)
@@ -33,7 +34,7 @@ SplineTaps TapsOf(const HeightPyramid& pyramid, int level, double place, std::pt
   return taps;
 }
 
-/// The height of a level over a place in posts; false where there is no terrain.
+/// The height of a level at a position in posts; false where there is no terrain.
 bool HeightAt(const HeightPyramid& pyramid, int level, double column, double row, double& height)
 {
   const PyramidLevel& samples = pyramid.Level(level);
@@ -55,7 +56,8 @@ bool HeightAt(const HeightPyramid& pyramid, int level, double column, double row
   return coverage > LeastCoverage;
 }
 
-/// The uniform cubic b-spline with these control values at a parameter, its ends repeated.
+/// The uniform cubic B-spline with these control values at a parameter. The first and the last
+/// value are repeated.
 double SplineAt(const std::vector<double>& values, double parameter)
 {
   const auto last = static_cast<std::ptrdiff_t>(values.size()) - 1;
@@ -79,7 +81,7 @@ void FindLampHorizons(const HeightPyramid& pyramid, const PyramidSettings& setti
   const Grid& grid, double sink, const Lamp& lamp, double azimuth, std::ptrdiff_t rowBegin,
   std::ptrdiff_t rowEnd, float* slopes)
 {
-  // From the nearest on.
+  // In the order of distance.
   std::vector<PyramidReach> reaches =
     PyramidReaches(pyramid, settings, grid, azimuth * DegreesPerRadian);
   std::reverse(reaches.begin(), reaches.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a field of the oracle to the light of a lamp.
+// Computes the light of a lamp over a field of the oracle.
 #ifndef skyline_LampScene_h
 #define skyline_LampScene_h
 
@@ -16,7 +16,7 @@ namespace skyline
 namespace testing
 {
 
-/// A field and a lamp given in the field's own heights.
+/// A field, and a lamp whose height is given in the heights of the field.
 class LampScene
 {
 public:
@@ -35,7 +35,8 @@ public:
       this->Posts.Rows, this->East.data(), this->North.data());
   }
 
-  /// The first band of the irradiance of all posts; level: of level receivers.
+  /// The first colour band of the irradiance of all posts. level: whether all receivers are
+  /// horizontal.
   std::vector<float> Light(const oracle::Ball& ball, bool level = false) const
   {
     Lamp lamp;
@@ -60,7 +61,7 @@ public:
     return oracle::Unit({ -this->East[post], -this->North[post], 1.0 });
   }
 
-  /// The irradiance of a post with no terrain in the way, by the closed form.
+  /// The irradiance of a post without any terrain in the way, by the closed form.
   double Unshadowed(const oracle::Ball& ball, std::ptrdiff_t column, std::ptrdiff_t row) const
   {
     const oracle::Vector3 to = ball.Centre - oracle::PlaceOf(this->Truth, column, row);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light maps for tests, and their light above a horizon by the obvious sums in double precision.
+// Light maps for tests, and their light above a horizon by direct sums in double precision.
 #ifndef skyline_LightOracle_h
 #define skyline_LightOracle_h
 
@@ -37,7 +37,7 @@ struct OwnedMap
   LightMap View() const { return ViewTopDown(this->Pixels.data(), this->Columns, this->Rows); }
 };
 
-/// Even random pixels of three different colours.
+/// Random pixels, evenly distributed, with a different value for each colour.
 inline OwnedMap NoisyMap(std::ptrdiff_t columns, std::ptrdiff_t rows, std::uint64_t seed)
 {
   OwnedMap map(columns, rows);
@@ -49,7 +49,7 @@ inline OwnedMap NoisyMap(std::ptrdiff_t columns, std::ptrdiff_t rows, std::uint6
   return map;
 }
 
-/// A smooth map of mean 1 with one pixel of 1e5 at an azimuth and an elevation (degrees).
+/// A smooth map with mean 1, and one pixel of 1e5 at an azimuth and an elevation (degrees).
 inline OwnedMap SunnyMap(
   std::ptrdiff_t columns, std::ptrdiff_t rows, double azimuth, double elevation)
 {
@@ -78,9 +78,10 @@ inline OwnedMap SunnyMap(
 
 using Color = std::array<double, 3>;
 
-/// The light of the azimuths between two (radians) on a plane of slopes east and north, nz left out,
-/// from above the greater of the elevations horizon(azimuth) and floor(azimuth), by `steps` strips
-/// of azimuth; rows in closed form.
+/// The light from the azimuths between begin and end (radians) on a plane with the slopes east and
+/// north. Only directions above both horizon(azimuth) and floor(azimuth) count.
+/// The azimuths are summed in `steps` strips; the rows are integrated in closed form. The vertical
+/// component of the normal is left out.
 inline Color StripLight(const OwnedMap& map, double rotation, double begin, double end,
   const std::function<double(double)>& lowest, double east, double north, int steps)
 {
@@ -123,7 +124,7 @@ inline Color StripLight(const OwnedMap& map, double rotation, double begin, doub
   return sum;
 }
 
-/// Irradiance of a post from horizons (radians) at any azimuth: a dense sum over all of the map.
+/// Irradiance of a post from horizons (radians) in any azimuth: a dense sum over the whole map.
 inline Color BruteLight(const OwnedMap& map, double rotation,
   const std::function<double(double)>& horizon, double east, double north, int steps)
 {
@@ -140,7 +141,8 @@ inline Color BruteLight(const OwnedMap& map, double rotation,
   return light;
 }
 
-/// Irradiance of one post as the accumulator sums it, from slopes at the azimuths it asks for.
+/// Irradiance of one post as the accumulator computes it, from slopes in the azimuths that it
+/// needs.
 inline Color SumLight(const std::vector<TurnedLightMap>& maps, const std::vector<double>& azimuths,
   const LightAccumulator::Options& options, const std::function<double(double)>& horizon,
   double east, double north)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The slow obvious truth: horizons, sky and sun in double precision by the plainest loops. Tests
-// only.
+// The oracle: horizons, sky and sun in double precision by the simplest loops. For tests only.
 #ifndef skyline_Oracle_h
 #define skyline_Oracle_h
 
@@ -19,14 +18,14 @@ namespace skyline
 namespace oracle
 {
 
-/// Slope where no terrain lies in a direction.
+/// The slope where there is no terrain in a direction.
 constexpr double NoTerrain = static_cast<double>(NoTerrainSlope);
 
-/// A crossing nearer than this to a post, in spacings, counts as the post. It stands for exact
-/// arithmetic: positions along a ray are good to about 1e-11 spacings.
+/// A crossing within this distance of a post, in spacings, counts as the post. This replaces exact
+/// arithmetic: positions along a ray have errors of about 1e-11 spacings.
 constexpr double PostSnap = 1.0e-9;
 
-/// A height field as the oracle sees it.
+/// The height field on which the oracle works.
 struct OracleField
 {
   std::ptrdiff_t Columns = 0;           ///< posts from west to east
@@ -35,7 +34,7 @@ struct OracleField
   double SpacingY = 1.0;                ///< metres between rows
   std::vector<double> Heights;          ///< metres, row by row from the south; not finite: missing
   Surface Through = Surface::Triangles; ///< the surface through the posts
-  double Sink = 0.0;                    ///< c in 1/m: the surface at distance d sinks by c d^2
+  double Sink = 0.0;                    ///< c in 1/m: the surface at distance d is lowered by c d^2
 
   OracleField() = default;
   OracleField(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacingX, double spacingY)
@@ -64,13 +63,13 @@ struct OracleField
     return column >= 0 && row >= 0 && column < this->Columns && row < this->Rows &&
       std::isfinite(this->At(column, row));
   }
-  /// A cell is named by its south-west post; it has a surface if its four posts exist.
+  /// A cell is identified by its south-western post. It has a surface if its four posts exist.
   bool HasCell(std::ptrdiff_t column, std::ptrdiff_t row) const
   {
     return this->HasPost(column, row) && this->HasPost(column + 1, row) &&
       this->HasPost(column, row + 1) && this->HasPost(column + 1, row + 1);
   }
-  /// A post counts as an obstacle if any complete cell contains it.
+  /// A post is an occluder if it is the corner of a complete cell.
   bool PostOccludes(std::ptrdiff_t column, std::ptrdiff_t row) const
   {
     return this->HasCell(column - 1, row - 1) || this->HasCell(column, row - 1) ||
@@ -85,7 +84,7 @@ struct Direction
   double North = 1.0;
 };
 
-/// The direction of an azimuth in degrees clockwise from north; exact at multiples of 45 degrees.
+/// The direction of an azimuth in degrees clockwise from north. Exact at multiples of 45 degrees.
 inline Direction DirectionOfAzimuth(double degrees)
 {
   const double half = std::sqrt(0.5);
@@ -94,7 +93,7 @@ inline Direction DirectionOfAzimuth(double degrees)
   double turned = std::fmod(degrees, 360.0);
   turned = turned < 0.0 ? turned + 360.0 : turned;
   const double eighths = turned / 45.0;
-  // 1e-12 of an eighth: what a conversion from radians and back may lose.
+  // 1e-12 of 45 degrees is the error that a conversion to radians and back can cause.
   if (std::abs(eighths - std::round(eighths)) < 1e-12)
   {
     return compass[static_cast<int>(std::round(eighths)) % 8];
@@ -105,9 +104,10 @@ inline Direction DirectionOfAzimuth(double degrees)
 namespace detail
 {
 
-/// Height of the surface where the ray meets a line of posts: the fractional place 'along' on the
-/// line between post 'floor(along)' and the next. 'edge(k)' tells whether the edge from k to k + 1
-/// belongs to a complete cell, 'post(k)' whether post k does, 'height(k)' gives the post's height.
+/// The height of the surface where the ray crosses a line of posts. 'along' is the position on the
+/// line, between post 'floor(along)' and the next one.
+/// 'edge(k)' tells whether the edge from k to k + 1 belongs to a complete cell, 'post(k)' whether
+/// post k does. 'height(k)' is the height of post k.
 template <class Edge, class Post, class Height>
 bool LineHeight(double along, const Edge& edge, const Post& post, const Height& height, double& z)
 {
@@ -134,10 +134,11 @@ bool LineHeight(double along, const Edge& edge, const Post& post, const Height& 
 
 } // namespace detail
 
-/// Slope (tangent of the elevation) of the horizon of the post (column, row) in a direction: the
-/// greatest over all crossings of row, column and diagonal edges from the post to the edge of the
-/// data; for the bilinear surface also over the inside of the cells. NoTerrain if there is none,
-/// NaN if the post itself is missing. Touching a complete cell at one corner counts.
+/// The slope (tangent of the elevation) of the horizon of the post (column, row) in a direction:
+/// the greatest over all crossings of row, column and diagonal edges from the post to the edge of
+/// the data. With the bilinear surface, the inside of the cells counts too.
+/// Returns NoTerrain if there is no terrain, and NaN if the post is missing. A complete cell counts
+/// even if the ray only touches one of its corners.
 inline double HorizonSlope(
   const OracleField& field, std::ptrdiff_t column, std::ptrdiff_t row, const Direction& direction)
 {
@@ -150,8 +151,8 @@ inline double HorizonSlope(
   const double y0 = static_cast<double>(row);
   const double lastX = static_cast<double>(field.Columns - 1);
   const double lastY = static_cast<double>(field.Rows - 1);
-  const double u = direction.East / field.SpacingX;  // columns a metre
-  const double v = direction.North / field.SpacingY; // rows a metre
+  const double u = direction.East / field.SpacingX;  // columns per metre
+  const double v = direction.North / field.SpacingY; // rows per metre
   double best = NoTerrain;
 
   const auto offer = [&](double distance, double z)
@@ -159,7 +160,7 @@ inline double HorizonSlope(
   const auto inside = [&](double x, double y)
   { return x >= -PostSnap && y >= -PostSnap && x <= lastX + PostSnap && y <= lastY + PostSnap; };
 
-  // Lines of equal column: on each the ray has the row y.
+  // Columns of posts: the ray crosses each at the row y.
   if (u != 0.0)
   {
     const int step = u > 0.0 ? 1 : -1;
@@ -182,7 +183,7 @@ inline double HorizonSlope(
     }
   }
 
-  // Lines of equal row: on each the ray has the column x.
+  // Rows of posts: the ray crosses each at the column x.
   if (v != 0.0)
   {
     const int step = v > 0.0 ? 1 : -1;
@@ -205,7 +206,7 @@ inline double HorizonSlope(
     }
   }
 
-  // Lines of diagonals, column - row = constant; a post on one was met above already.
+  // Diagonals, where column - row is constant. Posts on a diagonal have been counted already.
   if (field.Through == Surface::Triangles && u != v)
   {
     const int step = u > v ? 1 : -1;
@@ -232,9 +233,9 @@ inline double HorizonSlope(
     }
   }
 
-  // The inside of bilinear cells: there the height is a quadratic of the distance s, and
+  // The inside of bilinear cells. The height there is a quadratic function of the distance s, and
   // (A + B s + C s^2) / s has the maximum B - 2 sqrt(A C) at s = sqrt(A / C) if A < 0 and C < 0.
-  // Along a row or column of posts the height is linear and the edges have said all.
+  // Along a row or column of posts the height is linear, and the edges have been counted already.
   if (field.Through == Surface::Bilinear && u != 0.0 && v != 0.0)
   {
     std::vector<double> places; // distances at which the ray enters another cell
@@ -267,7 +268,7 @@ inline double HorizonSlope(
       const double east = field.At(i + 1, j) - z00;
       const double north = field.At(i, j + 1) - z00;
       const double twist = field.At(i + 1, j + 1) - z00 - east - north;
-      const double f = x0 - static_cast<double>(i); // the receiver, counted from the cell's corner
+      const double f = x0 - static_cast<double>(i); // relative to the corner of the cell
       const double g = y0 - static_cast<double>(j);
       const double a = z00 + east * f + north * g + twist * f * g - z0;
       const double b = east * u + north * v + twist * (f * v + g * u);
@@ -289,7 +290,7 @@ inline double HorizonSlope(
   return best;
 }
 
-/// The same for an azimuth in radians clockwise from north; multiples of 45 degrees are recognised.
+/// The same for an azimuth in radians clockwise from north. Multiples of 45 degrees are recognised.
 inline double HorizonSlope(
   const OracleField& field, std::ptrdiff_t column, std::ptrdiff_t row, double azimuthRadians)
 {
@@ -311,14 +312,14 @@ inline std::vector<double> HorizonSlopes(const OracleField& field, double azimut
   return slopes;
 }
 
-/// Elevation in degrees of a slope; -90 where no terrain lies.
+/// Elevation of a slope in degrees; -90 where there is no terrain.
 inline double ElevationDegrees(double slope)
 {
   return slope == NoTerrain ? -90.0 : std::atan(slope) * DegreesPerRadian;
 }
 
 /// Gradient (dz/dx, dz/dy) at a post: central differences, one-sided at the edge and beside missing
-/// posts, 0 where neither neighbour exists.
+/// posts, 0 if neither neighbour exists.
 inline void Gradient(
   const OracleField& field, std::ptrdiff_t column, std::ptrdiff_t row, double& east, double& north)
 {
@@ -335,7 +336,7 @@ inline void Gradient(
   north = difference(0, 1, field.SpacingY);
 }
 
-/// What a post sees of the sky.
+/// The sky that a post sees.
 struct Sky
 {
   double SkyViewFactor = 0.0;
@@ -345,8 +346,9 @@ struct Sky
   double UniformAmbient = 0.0;
 };
 
-/// The sky over N evenly spread azimuths (first = north), from the slopes of their horizons and the
-/// gradient of the receiver's plane, by plain midpoint sums over 'steps' elevations.
+/// The sky from the slopes of the horizons in N evenly spaced azimuths, of which the first is
+/// north, and from the gradient of the receiver's plane. Simple midpoint sums over 'steps'
+/// elevations.
 inline Sky SkyFromHorizons(
   const std::vector<double>& slopes, double east, double north, int steps = 4000)
 {
@@ -370,7 +372,8 @@ inline Sky SkyFromHorizons(
       }
       return sum * step;
     };
-    // Light from elevation e falls on the plane with n.d; a ring of elevations shrinks with cos e.
+    // Light from the elevation e reaches the plane with the factor n.d. The circumference of a ring
+    // of elevations is proportional to cos e.
     const double sky0 = std::max(horizon, 0.0);
     sky.SkyViewFactor += width / Pi *
       integrate(sky0,
@@ -381,8 +384,8 @@ inline Sky SkyFromHorizons(
     sky.VisibleSkyFraction +=
       width / (2.0 * Pi) * integrate(sky0, [](double e) { return std::cos(e); });
     sky.PositiveOpenness += (90.0 - horizon * DegreesPerRadian) / count;
-    // TW10 equation 5 holds the horizon and the plane's limit over the swath and integrates the
-    // cosine over it: the mean of cos over the swath is sin(w/2) / (w/2).
+    // TW10 equation 5 takes the horizon and the limit of the plane as constant over the swath, and
+    // integrates the cosine over it: the mean of cos over the swath is sin(w/2) / (w/2).
     const double limit = std::max(horizon, std::atan2(-across, up));
     const double mean = std::sin(0.5 * width) / (0.5 * width);
     sky.UniformAmbient += width / Pi *
@@ -392,18 +395,18 @@ inline Sky SkyFromHorizons(
   return sky;
 }
 
-/// A horizon given at some azimuths (radians, rising; elevations in radians), linear in elevation
-/// between them and level beyond the first and the last.
+/// A horizon that is given in some azimuths (radians, ascending; elevations in radians). Between
+/// them the elevation is linear; before the first and after the last one it is constant.
 struct HorizonCurve
 {
   std::vector<double> Azimuths;
   std::vector<double> Elevations;
-  bool Closed = false; ///< true: the last azimuth joins the first, 2 pi on
+  bool Closed = false; ///< true: the last azimuth is connected to the first, plus 2 pi
 
   double operator()(double azimuth) const
   {
     const std::size_t n = this->Azimuths.size();
-    // Bring the azimuth within pi of the middle of the curve.
+    // Brings the azimuth to within pi of the middle of the curve.
     const double middle = 0.5 * (this->Azimuths.front() + this->Azimuths.back());
     double a = this->Closed ? azimuth - this->Azimuths.front() : azimuth - middle;
     a = this->Closed ? a - 2.0 * Pi * std::floor(a / (2.0 * Pi)) + this->Azimuths.front()
@@ -430,22 +433,25 @@ struct HorizonCurve
   }
 };
 
-/// Lit fraction of a disc about the sun (azimuth, elevation, angular radius in radians) over a
-/// horizon (elevation of an azimuth, both radians), by rings x spokes samples of equal solid angle.
-/// The limb darkens as I = 1 - u (1 - mu), mu the cosine of the angle on the sun's surface.
+/// The visible fraction of the sun's disc (azimuth, elevation and angular radius in radians) above
+/// a horizon (a function from azimuth to elevation, both in radians), by rings x spokes samples of
+/// equal solid angle. Limb darkening: I = 1 - u (1 - mu), where mu is the cosine of the angle on
+/// the surface of the sun.
 inline double LitFraction(double azimuth, double elevation, double radius,
   const std::function<double(double)>& horizon, double u = 0.0, int rings = 400, int spokes = 1200)
 {
   const double ce = std::cos(elevation), se = std::sin(elevation);
   const double ca = std::cos(azimuth), sa = std::sin(azimuth);
-  // The sun's direction, and the directions east and up of it on the sphere.
+  // The direction of the sun, and the directions to the right of it and upwards from it on the
+  // sphere.
   const double sun[3] = { ce * sa, ce * ca, se };
   const double side[3] = { ca, -sa, 0.0 };
   const double over[3] = { -se * sa, -se * ca, ce };
   double lit = 0.0, all = 0.0;
   for (int r = 0; r < rings; ++r)
   {
-    // Equal solid angle: 1 - cos of the ring's angle grows evenly; 1 - cos = 2 sin^2(half).
+    // For equal solid angles, 1 - cos of the ring's angle grows evenly; 1 - cos = 2 sin^2(angle /
+    // 2).
     const double share = (r + 0.5) / rings;
     const double s = std::sin(0.5 * radius) * std::sqrt(share);
     const double angle = 2.0 * std::asin(s);

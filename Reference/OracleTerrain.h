@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a field of the oracle to the horizons of a method.
+// Computes the horizons of a method on a field of the oracle.
 #ifndef skyline_OracleTerrain_h
 #define skyline_OracleTerrain_h
 
@@ -22,7 +22,7 @@ inline Grid GridOf(const oracle::OracleField& field)
   return Grid{ field.Columns, field.Rows, field.SpacingX, field.SpacingY };
 }
 
-/// Half the sum of the lowest and the highest post.
+/// The mean of the lowest and the highest post.
 inline double BaseOf(const oracle::OracleField& field)
 {
   double low = std::numeric_limits<double>::infinity();
@@ -49,7 +49,7 @@ inline HeightField FieldOf(const oracle::OracleField& field)
   return result;
 }
 
-/// Slopes of all posts in one azimuth (degrees), row by row, found in chunks of `chunk` lines.
+/// Slopes of all posts in one azimuth (degrees), row by row, found in groups of `chunk` lines.
 inline std::vector<float> Slopes(
   HorizonMethod& method, const Grid& grid, double azimuth, std::ptrdiff_t chunk = 64)
 {
@@ -78,15 +78,15 @@ inline std::vector<float> Slopes(
   return slopes;
 }
 
-/// Degrees; -90 for NoTerrainSlope.
+/// Elevation in degrees; -90 for NoTerrainSlope.
 inline double Elevation(float slope)
 {
   return slope == NoTerrainSlope ? -90.0 : std::atan(static_cast<double>(slope)) * DegreesPerRadian;
 }
 
-/// What float heights allow: the heights of receiver and edge are rounded to 2^-24 of the relief
-/// about its middle, their difference and its weights once more each, over at least one step; and the
-/// slope itself is a float. Degrees.
+/// The error in degrees that heights in floats allow: the heights of receiver and edge are rounded
+/// to 2^-24 of the relief, relative to its middle. Their difference and its weights are each
+/// rounded once more, over at least one step. The slope itself is a float too.
 inline double RoundingBound(const oracle::OracleField& field)
 {
   const double base = BaseOf(field);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lighting table as published: Timonen & Westerholm 2010, section 6.2, two-dimensional, looked
-// up with bilinear filtering. The reference for LightTable, and what it is compared with.
+// The lighting table as published by Timonen & Westerholm (2010), section 6.2: two-dimensional,
+// with bilinear interpolation. LightTable is compared with it.
 #ifndef skyline_PublishedTable_h
 #define skyline_PublishedTable_h
 
@@ -17,20 +17,20 @@ namespace skyline
 namespace testing
 {
 
-/// L_p of one azimuth: equation 7 less its 1 / pi, over normal angles from -90 to 90 degrees of the
-/// zenith and horizon angles from 0 to 180.
+/// L_p of one azimuth: equation 7 without its factor 1 / pi, for angles of the normal from -90 to
+/// 90 degrees and angles of the horizon from 0 to 180 degrees, both from the zenith.
 class PublishedTable
 {
 public:
-  /// radiance(zenith angle): mean over the swath. normals: odd, so that (0, 0, 1) has a node of its
-  /// own, as the paper asks for.
+  /// radiance(zenith angle): the mean over the swath. normals: an odd number, so that (0, 0, 1) has
+  /// its own node, as the paper requires.
   PublishedTable(
     const std::function<double(double)>& radiance, double width, int normals, int horizons)
     : Normals(normals)
     , Horizons(horizons)
     , Values(static_cast<std::size_t>(normals) * static_cast<std::size_t>(horizons))
   {
-    constexpr int Steps = 8; // of the integral between two horizon nodes
+    constexpr int Steps = 8; // of the integral between two nodes of the horizon
     for (int n = 0; n < normals; ++n)
     {
       const double normal = Pi * n / (normals - 1) - 0.5 * Pi;
@@ -49,8 +49,8 @@ public:
     }
   }
 
-  /// Light of the swath for the angles of the projected normal and of the horizon, radians from the
-  /// zenith; times the projected normal's length it is the irradiance.
+  /// The light of the swath for the angles of the projected normal and of the horizon, in radians
+  /// from the zenith. Times the length of the projected normal, it is the irradiance.
   double operator()(double normal, double horizon) const
   {
     const double x = std::clamp((normal + 0.5 * Pi) / Pi, 0.0, 1.0) * (this->Normals - 1);

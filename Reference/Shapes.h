@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Height fields with known horizons, and rough ones without; the same on every machine. Tests only.
+// Height fields with known horizons, and rough ones without. They are the same on all machines. For
+// tests only.
 #ifndef skyline_Shapes_h
 #define skyline_Shapes_h
 
@@ -14,7 +15,7 @@ namespace shapes
 
 using oracle::OracleField;
 
-/// Even random numbers in [0, 1) from a seed: splitmix64 (Steele, Lea, Flood 2014).
+/// Uniform random numbers in [0, 1) from a seed: splitmix64 (Steele, Lea, Flood 2014).
 class Random
 {
 public:
@@ -31,7 +32,7 @@ public:
     z ^= z >> 31;
     return static_cast<double>(z >> 11) * 0x1p-53;
   }
-  /// An integer in [0, n).
+  /// A random integer in [0, n).
   std::ptrdiff_t Below(std::ptrdiff_t n)
   {
     return static_cast<std::ptrdiff_t>((*this)() * static_cast<double>(n));
@@ -41,7 +42,8 @@ private:
   std::uint64_t State;
 };
 
-/// A field whose heights are f(x, y), metres east and north of the post (centreColumn, centreRow).
+/// A field whose heights are f(x, y), with x and y in metres east and north of the post
+/// (centreColumn, centreRow).
 template <class Function>
 OracleField FromFunction(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacingX,
   double spacingY, std::ptrdiff_t centreColumn, std::ptrdiff_t centreRow, const Function& f)
@@ -58,7 +60,7 @@ OracleField FromFunction(std::ptrdiff_t columns, std::ptrdiff_t rows, double spa
   return field;
 }
 
-/// z = eastSlope x + northSlope y, 0 at the middle post.
+/// A plane z = eastSlope x + northSlope y, 0 at the middle post.
 inline OracleField Plane(
   std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double eastSlope, double northSlope)
 {
@@ -66,15 +68,15 @@ inline OracleField Plane(
     [=](double x, double y) { return eastSlope * x + northSlope * y; });
 }
 
-/// A V valley along the middle column, which is its line: z = slope |x|. Exact on the posts.
+/// A valley z = slope |x| with its floor along the middle column. Exact at the posts.
 inline OracleField Valley(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double slope)
 {
   return FromFunction(columns, rows, spacing, spacing, columns / 2, rows / 2,
     [=](double x, double) { return slope * std::abs(x); });
 }
 
-/// A wall along the columns from 'column' on, 'thickness' posts wide (0: to the east edge); its
-/// foot is the column before.
+/// A wall along the columns, which begins at 'column' and is 'thickness' posts wide (0: to the east
+/// edge). Its foot is the column before.
 inline OracleField Wall(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double height,
   std::ptrdiff_t column, std::ptrdiff_t thickness = 0)
 {
@@ -87,8 +89,9 @@ inline OracleField Wall(std::ptrdiff_t columns, std::ptrdiff_t rows, double spac
     });
 }
 
-/// A trench along the middle column: floor posts within 'halfWidth' posts of it at 0, the first
-/// posts beyond at 'height'. The upper edges are (halfWidth + 1) spacings from the middle.
+/// A trench along the middle column: its floor has height 0 up to 'halfWidth' posts from the
+/// middle, and all posts beyond have the height 'height'. The upper edges are (halfWidth + 1)
+/// spacings from the middle.
 inline OracleField Trench(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
   double height, std::ptrdiff_t halfWidth)
 {
@@ -97,7 +100,8 @@ inline OracleField Trench(std::ptrdiff_t columns, std::ptrdiff_t rows, double sp
     { return std::round(std::abs(x) / spacing) <= static_cast<double>(halfWidth) ? 0.0 : height; });
 }
 
-/// A cylindrical pit about the middle post: floor at -depth where the distance is below 'radius'.
+/// A cylindrical pit around the middle post: its floor lies at -depth where the distance is less
+/// than 'radius'.
 inline OracleField CylinderPit(
   std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double radius, double depth)
 {
@@ -105,7 +109,8 @@ inline OracleField CylinderPit(
     [=](double x, double y) { return std::hypot(x, y) < radius ? -depth : 0.0; });
 }
 
-/// A conical pit with its apex at the middle post, rising with 'slope' to level ground at 'radius'.
+/// A conical pit with its apex at the middle post, which rises with 'slope' to level ground at
+/// 'radius'.
 inline OracleField ConicalPit(
   std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double radius, double slope)
 {
@@ -113,8 +118,8 @@ inline OracleField ConicalPit(
     [=](double x, double y) { return slope * (std::min(std::hypot(x, y), radius) - radius); });
 }
 
-/// A spherical bowl about the middle post: the cap of half-angle 'halfAngle' (radians, at most
-/// pi / 2) of a sphere of the given radius, cut into level ground.
+/// A spherical bowl around the middle post: the cap with the half-angle 'halfAngle' (radians, at
+/// most pi / 2) of a sphere with the given radius, cut into level ground.
 inline OracleField Bowl(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
   double sphereRadius, double halfAngle)
 {
@@ -138,7 +143,7 @@ inline OracleField Spike(std::ptrdiff_t columns, std::ptrdiff_t rows, double spa
   return field;
 }
 
-/// Level ground, 'height' higher from row 'row' northward.
+/// Level ground that is 'height' higher from row 'row' northwards.
 inline OracleField Cliff(
   std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double height, std::ptrdiff_t row)
 {
@@ -146,7 +151,7 @@ inline OracleField Cliff(
     [=](double, double y) { return y > -0.5 * spacing ? height : 0.0; });
 }
 
-/// Terraces: every 'tread' columns the ground rises by 'rise'.
+/// Terraces: the ground rises by 'rise' after each 'tread' columns.
 inline OracleField Steps(
   std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double rise, std::ptrdiff_t tread)
 {
@@ -171,7 +176,8 @@ inline OracleField EggTray(
     { return amplitude * std::sin(2.0 * Pi * x / wave) * std::sin(2.0 * Pi * y / wave); });
 }
 
-/// A cone of the given height and foot radius (metres) on level ground, about a place given in posts.
+/// Adds a cone with the given height and radius (metres) to level ground, around a position given
+/// in posts.
 inline void AddCone(OracleField& field, double column, double row, double radius, double height)
 {
   for (std::ptrdiff_t j = 0; j < field.Rows; ++j)
@@ -195,7 +201,7 @@ inline OracleField Cone(
   return field;
 }
 
-/// Cones, version 1: nine alike, three by three.
+/// Cones, version 1: nine equal ones in three rows.
 inline OracleField ConesInRows(
   std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double radius, double height)
 {
@@ -209,8 +215,8 @@ inline OracleField ConesInRows(
   return field;
 }
 
-/// Cones, version 2: eight of growing size on a circle about the middle, a third of the field's width
-/// in radius; the largest has the given foot radius and height.
+/// Cones, version 2: eight of increasing size on a circle around the middle, whose radius is a
+/// third of the field's width. The largest cone has the given radius and height.
 inline OracleField ConesOnCircle(
   std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double radius, double height)
 {
@@ -225,7 +231,8 @@ inline OracleField ConesOnCircle(
   return field;
 }
 
-/// z = amplitude sin(2 pi x / wave + phase): a grating along the columns; a moving phase makes waves.
+/// A grating along the columns: z = amplitude sin(2 pi x / wave + phase). A changing phase makes
+/// waves.
 inline OracleField SineGrating(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
   double amplitude, double wave, double phase = 0.0)
 {
@@ -233,8 +240,8 @@ inline OracleField SineGrating(std::ptrdiff_t columns, std::ptrdiff_t rows, doub
     [=](double x, double) { return amplitude * std::sin(2.0 * Pi * x / wave + phase); });
 }
 
-/// Waves: three trains of them, each with its own direction, length and speed; 'wave' is the longest,
-/// 'time' counts its periods.
+/// Waves: the sum of three trains of waves, each with its own direction, length and speed. 'wave'
+/// is the greatest length; 'time' is counted in periods of that train.
 inline OracleField Waves(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
   double amplitude, double wave, double time)
 {
@@ -244,15 +251,15 @@ inline OracleField Waves(std::ptrdiff_t columns, std::ptrdiff_t rows, double spa
       const auto train = [&](double part, double toward)
       {
         const double way = x * std::cos(toward) + y * std::sin(toward);
-        // On deep water the speed goes with the root of the length.
+        // On deep water the speed is proportional to the square root of the length.
         return part * std::sin(2.0 * Pi * (way / (part * wave) - time / std::sqrt(part)));
       };
       return amplitude * (train(1.0, 0.3) + train(0.5, 1.1) + train(0.3, -0.7)) / 1.8;
     });
 }
 
-/// A city: blocks of 'block' posts between streets of 'street' posts, each a house of 0.2 to 1 times
-/// the height.
+/// A city: blocks of 'block' posts between streets of 'street' posts. The height of each block is
+/// 0.2 to 1 times 'height'.
 inline OracleField City(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
   std::ptrdiff_t block, std::ptrdiff_t street, double height, std::uint64_t seed = 1)
 {
@@ -272,12 +279,13 @@ inline OracleField City(std::ptrdiff_t columns, std::ptrdiff_t rows, double spac
   return field;
 }
 
-/// A teddy-like relief: half ellipsoids for body, head, ears, snout, arms and legs on a plane.
+/// A relief like a teddy bear: half ellipsoids for body, head, ears, snout, arms and legs on a
+/// plane.
 inline OracleField Teddy(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double height)
 {
   struct Part
   {
-    double X, Y, Width, Length, Height; // of the field's width, and of the height
+    double X, Y, Width, Length, Height; // as parts of the field's width, and of the height
   };
   const Part parts[] = { { 0.5, 0.38, 0.19, 0.23, 0.8 }, { 0.5, 0.69, 0.15, 0.14, 0.9 },
     { 0.37, 0.82, 0.06, 0.06, 0.5 }, { 0.63, 0.82, 0.06, 0.06, 0.5 },
@@ -302,8 +310,8 @@ inline OracleField Teddy(std::ptrdiff_t columns, std::ptrdiff_t rows, double spa
   return field;
 }
 
-/// A landslide: the heights of a slope after a part 'progress' (0 to 1) of a slab of the given depth
-/// has moved from its upper half down to the foot. Northward is up.
+/// A landslide: the heights of a slope after a part 'progress' (0 to 1) of a slab with the given
+/// depth has moved from its upper half down to the foot. The slope rises northwards.
 inline OracleField Landslide(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
   double slope, double depth, double progress)
 {
@@ -322,8 +330,8 @@ inline OracleField Landslide(std::ptrdiff_t columns, std::ptrdiff_t rows, double
     });
 }
 
-/// A paraboloid z = curvature (x^2 + y^2) / 2 about the middle post: a bowl for positive curvature,
-/// a dome for negative.
+/// A paraboloid z = curvature (x^2 + y^2) / 2 around the middle post: a bowl if the curvature is
+/// positive, a dome if it is negative.
 inline OracleField Paraboloid(
   std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing, double curvature)
 {
@@ -332,7 +340,7 @@ inline OracleField Paraboloid(
 }
 
 /// Fractal terrain by midpoint displacement (diamond-square; Fournier, Fussell, Carpenter 1982),
-/// cut from a square of 2^n + 1 posts; heights from 0 to 'relief'. Each halving of the step
+/// cut from a square of 2^n + 1 posts. Heights are 0 to 'relief'. Each halving of the step
 /// multiplies the displacement by 'roughness' (0.5 smooth, 0.7 jagged).
 inline OracleField Fractal(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
   double relief, std::uint64_t seed = 1, double roughness = 0.55)
@@ -406,8 +414,8 @@ inline OracleField Fractal(std::ptrdiff_t columns, std::ptrdiff_t rows, double s
   return field;
 }
 
-/// Level ground with 'count' random boxes of up to 'size' posts and up to 'height' metres; the
-/// higher box wins where two overlap.
+/// Level ground with 'count' random boxes of up to 'size' posts and up to 'height' metres. Where
+/// two boxes overlap, the higher one counts.
 inline OracleField RandomBoxes(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacing,
   std::ptrdiff_t count, std::ptrdiff_t size, double height, std::uint64_t seed = 1)
 {
@@ -430,7 +438,7 @@ inline OracleField RandomBoxes(std::ptrdiff_t columns, std::ptrdiff_t rows, doub
   return field;
 }
 
-/// Takes 'count' round islands of up to 'radius' posts away from a field.
+/// Removes 'count' round areas of up to 'radius' posts from a field.
 inline void RemoveIslands(
   OracleField& field, std::ptrdiff_t count, std::ptrdiff_t radius, std::uint64_t seed = 1)
 {

@@ -14,7 +14,7 @@ namespace
 
 constexpr double Circle = 2.0 * Pi;
 
-/// The angle brought into [0, 2 pi).
+/// The angle modulo 2 pi, in [0, 2 pi).
 double Turned(double angle)
 {
   const double turned = std::fmod(angle, Circle);
@@ -23,7 +23,7 @@ double Turned(double angle)
 
 struct Span
 {
-  double Begin, End; // radians, End at most a circle after Begin
+  double Begin, End; // radians; End is at most Begin + 2 pi
   std::vector<std::size_t> Lights;
 };
 
@@ -62,7 +62,7 @@ std::vector<SharedSwath> ShareSwaths(const std::vector<KeyLight>& lights)
       joined.push_back(span);
     }
   }
-  // The last ones may reach across north, onto the first.
+  // The last swaths may extend across north into the first.
   while (joined.size() > 1 && joined.back().End - Circle >= joined.front().Begin)
   {
     join(joined.back(), joined.front(), Circle);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Key lights whose swaths overlap share one set of horizons: Snyder & Nowrouzezahrai 2008, section 6.
+// Key lights with overlapping swaths share one set of horizons: Snyder & Nowrouzezahrai (2008),
+// section 6.
 #ifndef skyline_SharedSwaths_h
 #define skyline_SharedSwaths_h
 
@@ -11,15 +12,15 @@
 namespace skyline
 {
 
-/// Lights that are lit by one set of horizons.
+/// Lights that use one set of horizons.
 struct SharedSwath
 {
   Swath Extent;
-  std::vector<std::size_t> Lights; ///< indices, rising
+  std::vector<std::size_t> Lights; ///< indices, ascending
 };
 
-/// As few azimuths as the lights need: swaths that overlap become one, for it is no wider than they
-/// were together; the others stay as sharp as they were. In the order of their azimuths.
+/// Joins swaths that overlap, which needs the fewest azimuths: a joined swath is no wider than its
+/// parts together. The other swaths keep their width. The result is in the order of the azimuths.
 std::vector<SharedSwath> ShareSwaths(const std::vector<KeyLight>& lights);
 
 } // namespace skyline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The scenes of THESIS, figures 6.1 to 6.5, with the lamps of each.
+// The scenes of the figures 6.1 to 6.5 of THESIS, each with its lamps.
 #ifndef skyline_ThesisScenes_h
 #define skyline_ThesisScenes_h
 
@@ -22,7 +22,7 @@ struct ThesisScene
   std::vector<oracle::Ball> Lamps;
 };
 
-/// n x n posts over 256 m; the thesis draws n = 256.
+/// The scenes with n x n posts over 256 m; the thesis uses n = 256.
 inline std::vector<ThesisScene> ThesisScenes(std::ptrdiff_t n)
 {
   const double spacing = 256.0 / static_cast<double>(n - 1);

@@ -16,7 +16,7 @@ namespace
 constexpr int MaxCount = HarmonicCount(MaxHarmonicBands);
 constexpr double HalfPi = 0.5 * Pi;
 
-/// Nodes and weights of Gauss-Legendre quadrature on [-1, 1], by Newton's iteration.
+/// Nodes and weights of Gauss-Legendre quadrature on [-1, 1], by Newton's method.
 struct GaussLegendre
 {
   static constexpr int Points = 16;
@@ -47,7 +47,7 @@ struct GaussLegendre
   }
 };
 
-/// All integrals of the harmonics themselves, of 1 to 8 bands.
+/// All integrals of the harmonics of 1 to 8 bands.
 const std::vector<ElevationIntegral>& Integrals(int bands)
 {
   static const std::array<std::vector<ElevationIntegral>, MaxHarmonicBands + 1> all = []()
@@ -62,7 +62,7 @@ const std::vector<ElevationIntegral>& Integrals(int bands)
   return all[static_cast<std::size_t>(bands)];
 }
 
-/// Adds weight times the sky above the horizon, its azimuthal factors given for each order.
+/// Adds weight times the sky above the horizon. means: the azimuthal factors of each order.
 void AddSky(int bands, double horizon, double weight, const SwathMean* means, double* wedge)
 {
   auto integral = Integrals(bands).begin();
@@ -149,7 +149,7 @@ WedgeTable::WedgeTable(int bands, double width)
 namespace
 {
 
-/// Where an elevation lies among those of a table.
+/// The position of an elevation in a table.
 struct TablePlace
 {
   std::size_t Low;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wedges of visible sky between two azimuths as spherical harmonics: Snyder & Nowrouzezahrai 2008
-// (SN08), section 5. Coefficients as in SphericalHarmonics.h, azimuths in radians clockwise from
-// north, horizons in radians of elevation.
+// Wedges of visible sky between two azimuths as spherical harmonics: Snyder & Nowrouzezahrai
+// (2008), SN08 for short, section 5. Coefficients are those of SphericalHarmonics.h. Azimuths are
+// in radians clockwise from north; horizons are elevations in radians.
 #ifndef skyline_VisibilityWedge_h
 #define skyline_VisibilityWedge_h
 
@@ -17,26 +17,29 @@
 namespace skyline
 {
 
-/// The sky above a horizon of one elevation over a swath about `azimuth`, `width` wide: closed form,
-/// exact for any width. `wedge` gets bands * bands coefficients. 1 to 8 bands.
+/// The sky above a horizon of constant elevation in a swath of the width `width`, centred at
+/// `azimuth`. Closed form, exact for any width. `wedge` receives bands * bands coefficients; bands:
+/// 1 to 8.
 ///
-/// This is what the accumulators sum: no neighbour, no table, and on real terrain closer to the truth
-/// than SN08's linear wedge from 5 azimuths on (Documentation/sn08.md).
+/// The accumulators sum these wedges. They need no neighbour and no table, and on real terrain they
+/// are closer to the true visibility than the linear wedge of SN08 if there are 5 azimuths or more
+/// (Documentation/sn08.md).
 void StepWedge(int bands, double azimuth, double width, double horizon, double* wedge);
 
-/// SN08's wedge, equation 8: the horizon goes linearly from `from` at `azimuth` to `to` at azimuth +
-/// width. Closed form over elevation, Gauss-Legendre over azimuth in panels of half a radian: errs by
-/// less than 1e-12, found against four times as many panels. width: 0 to 2 pi.
+/// The wedge of SN08, equation 8: the horizon varies linearly from `from` at `azimuth` to `to` at
+/// azimuth + width. Closed form over elevation, Gauss-Legendre quadrature over azimuth in panels of
+/// half a radian. The error is less than 1e-12, measured against four times as many panels. width:
+/// 0 to 2 pi.
 void LinearWedge(int bands, double azimuth, double width, double from, double to, double* wedge);
 
-/// SN08's tables of linear wedges of one width, from azimuth 0 on: horizons of 0 to 90 degrees, 256
-/// of them, bilinear between.
+/// The tables of SN08: linear wedges of one width from azimuth 0 on, for 256 horizons from 0 to 90
+/// degrees, with bilinear interpolation.
 class WedgeTable
 {
 public:
   static constexpr int Elevations = 256;
 
-  /// bands: 1 to 8; width: radians between azimuths.
+  /// bands: 1 to 8. width: radians between azimuths.
   WedgeTable(int bands, double width);
 
   int Bands() const { return this->Count; }
@@ -45,8 +48,8 @@ public:
   /// Adds the wedge between the azimuths `azimuth` and azimuth + width to bands * bands sums.
   void AddInterior(double azimuth, double from, double to, double* sums) const;
 
-  /// Adds the half wedges at the ends of a partial swath: before the first azimuth the horizon comes
-  /// down from the zenith over half a width, after the last it goes up to it.
+  /// Adds the half wedges at the ends of a partial swath: before the first azimuth the horizon
+  /// falls from the zenith within half a width, and after the last azimuth it rises to the zenith.
   void AddStart(double azimuth, double horizon, double* sums) const;
   void AddEnd(double azimuth, double horizon, double* sums) const;
 
@@ -59,7 +62,7 @@ private:
   std::vector<float> Start, End; // [horizon][coefficient], from azimuth 0 on
 };
 
-/// The tables made so far, by bands and width; not for many threads at a time.
+/// The tables made so far, by bands and width. Not thread-safe.
 class WedgeTables
 {
 public:

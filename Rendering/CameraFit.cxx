@@ -22,7 +22,7 @@ double Dot(const Vector& a, const Vector& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// The limits that the points set to the camera in one plane.
+// The limits that the points set to the position of the camera in one plane.
 struct Sides
 {
   double Tangent;
@@ -63,7 +63,7 @@ void FitCamera(
   const double half = std::tan(0.5 * standpoint.ViewAngle * RadiansPerDegree) * standpoint.Filled;
   Sides across{ half * standpoint.Aspect };
   Sides upright{ half };
-  Vector origin; // the first point, so that far coordinates keep their digits
+  Vector origin; // the first point: relative coordinates keep their digits far from the origin
   (*some)->GetPoint(0, origin.data());
   for (vtkPoints* group : points)
   {

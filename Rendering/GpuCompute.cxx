@@ -20,7 +20,7 @@ namespace skyline
 
 GpuBuffer::GpuBuffer(std::size_t floats)
 {
-  while (glGetError() != GL_NO_ERROR) // not ours
+  while (glGetError() != GL_NO_ERROR) // clears the errors of earlier calls
   {
   }
   glGenBuffers(1, &this->Handle);

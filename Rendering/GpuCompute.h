@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compute shaders on a device of OpenGL 4.3. VTK knows them from 9.4 on; before that, OpenGL's own calls
-// do in VTK's context.
+// Compute shaders on a device with OpenGL 4.3. VTK supports them from version 9.4 on. This code
+// calls OpenGL itself, in VTK's context, so that older versions work too.
 #ifndef skyline_GpuCompute_h
 #define skyline_GpuCompute_h
 
@@ -13,7 +13,7 @@
 namespace skyline
 {
 
-/// Floats in a buffer of the graphics processor, not set.
+/// A buffer of floats on the graphics processor, not initialized.
 class GpuBuffer
 {
 public:
@@ -22,10 +22,10 @@ public:
   GpuBuffer(const GpuBuffer&) = delete;
   GpuBuffer& operator=(const GpuBuffer&) = delete;
 
-  /// To the binding that the shader names.
+  /// Binds the buffer to a binding point of the shader.
   void Bind(unsigned int binding) const;
 
-  /// Floats that a shader may see in one buffer.
+  /// The greatest number of floats in one buffer that a shader can read.
   static std::size_t Limit();
 
 private:
@@ -35,16 +35,18 @@ private:
 class GpuCompute
 {
 public:
-  /// Whether the current context has compute shaders.
+  /// Whether the current context supports compute shaders.
   static bool Known();
 
-  /// The text begins after the version. std::runtime_error in one line, where it cannot be built.
+  /// Compiles a shader. The text begins after the line with the version. Throws std::runtime_error
+  /// with a reason of one line if it cannot be compiled.
   GpuCompute(GpuDevice& device, const std::string& text);
   ~GpuCompute();
   GpuCompute(const GpuCompute&) = delete;
   GpuCompute& operator=(const GpuCompute&) = delete;
 
-  /// Before what follows; Release afterwards gives the context back to VTK.
+  /// Makes the program current. To be called before the methods below. Release gives the context
+  /// back to VTK.
   void Use();
   void Set(const char* name, int value);
   void Set(const char* name, int x, int y);
@@ -53,14 +55,14 @@ public:
   void Set(const char* name, double x, double y);
   void Set(const char* name, vtkTextureObject* texture);
 
-  /// An image of one float a texel, to write into.
+  /// Binds an image with one float per texel, which the shader writes.
   void SetImage(unsigned int unit, vtkTextureObject* image);
 
-  /// Runs work groups, and lets what comes after see what they wrote.
+  /// Runs work groups, and makes what they wrote visible to later commands.
   void Run(int groups);
   void Release();
 
-  /// All texels of an image of one component.
+  /// Reads all texels of an image with one component.
   static void Read(vtkTextureObject* image, float* values);
 
 private:
@@ -68,7 +70,7 @@ private:
 
   GpuDevice& Device;
   unsigned int Program = 0;
-  GpuTexture Sentinel; // gone with the context, as the program is
+  GpuTexture Sentinel; // destroyed with the context, like the program
   std::vector<GpuTexture> Inputs;
 };
 

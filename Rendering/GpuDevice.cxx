@@ -203,7 +203,7 @@ GpuState::GpuState(const GpuDevice& device)
 
 GpuState::~GpuState()
 {
-  this->Before->State->vtkglBlendEquation(GL_FUNC_ADD); // as VTK has it everywhere
+  this->Before->State->vtkglBlendEquation(GL_FUNC_ADD); // VTK uses this equation everywhere
   this->Before->State->PopFramebufferBindings();
 }
 
@@ -280,7 +280,7 @@ void GpuPass::DrawBound(unsigned int targets, const GpuArea& area, GpuBlend blen
   state->vtkglBlendEquation(blend == GpuBlend::Greatest ? GL_MAX : GL_FUNC_ADD);
   state->vtkglViewport(area.X, area.Y, area.Width, area.Height);
   this->Quad->Render();
-  // An attachment that stays would keep its layer when the next one is added.
+  // An attachment that is not removed would keep its layer when the next one is added.
   this->Device.Frame->DeactivateDrawBuffers();
   this->Device.Frame->RemoveColorAttachments(targets);
   for (const GpuTexture& input : this->Inputs)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers in textures, and fragment passes over them: what the filters on the graphics processor
-// are made of. OpenGL 3.2.
+// Numbers in textures, and fragment shaders that compute with them: the basis of the filters on the
+// graphics processor. Needs OpenGL 3.2.
 #ifndef skyline_GpuDevice_h
 #define skyline_GpuDevice_h
 
@@ -34,7 +34,7 @@ struct GpuArea
   int X = 0, Y = 0, Width = 0, Height = 0;
 };
 
-/// What becomes of numbers that are there already.
+/// How a pass combines its result with the numbers in the target.
 enum class GpuBlend
 {
   Replace,
@@ -42,7 +42,7 @@ enum class GpuBlend
   Greatest
 };
 
-/// The context of a render window: a given one, or one without a window system of its own.
+/// The OpenGL context of a render window, either a given one or an own one without a window system.
 class GpuDevice
 {
 public:
@@ -51,39 +51,42 @@ public:
   GpuDevice(const GpuDevice&) = delete;
   GpuDevice& operator=(const GpuDevice&) = delete;
 
-  /// The window to compute in; null (default): MakeOffscreenWindow's.
+  /// The window whose context computes. Null (the default) stands for the window that
+  /// MakeOffscreenWindow returns.
   void SetWindow(vtkRenderWindow* window);
   vtkRenderWindow* GetWindow() const;
 
-  /// Makes the context current. False, and the reason in one line, where there is none. `renewed`: what
-  /// was made before is gone, as with a context that was lost.
+  /// Makes the context current. Returns false, and the reason in one line, if there is no context.
+  /// `renewed` tells that objects made earlier are lost, because the context is a new one.
   bool Open(std::string& reason, bool& renewed);
 
   vtkOpenGLRenderWindow* Context() const;
-  std::string Name() const; ///< of the graphics processor, as OpenGL says it
-  int ImageLimit() const;   ///< greatest side of an image
-  int StackLimit() const;   ///< greatest side, and number of layers, of a stack
+  std::string Name() const; ///< of the graphics processor, as OpenGL reports it
+  int ImageLimit() const;   ///< greatest side of an image, texels
+  int StackLimit() const;   ///< greatest side and greatest number of layers of a stack
 
-  /// Floats; 1, 2 or 4 a texel; null without memory. values: row by row, or null: not set.
+  /// A texture of floats with 1, 2 or 4 components per texel, or null if memory is short. values:
+  /// row by row; null leaves the texture uninitialized.
   GpuTexture Image(int width, int height, int components, const float* values = nullptr);
-  /// Layers of images: a texture of three dimensions.
+  /// A three-dimensional texture: a stack of images.
   GpuTexture Stack(int width, int height, int layers, int components);
 
-  /// Four floats a texel from an image of four components.
+  /// Reads four floats per texel from an image with four components.
   void Read(vtkTextureObject* image, const GpuArea& area, float* values);
 
-  void Finish(); ///< waits until all is drawn
-  void Close();  ///< gives everything back
+  void Finish(); ///< waits until all drawing is done
+  void Close();  ///< releases everything
 
 private:
   friend class GpuPass;
   vtkSmartPointer<vtkRenderWindow> Given, Own;
   vtkSmartPointer<vtkOpenGLRenderWindow> Window;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Frame;
-  GpuTexture Sentinel; // gone with the context
+  GpuTexture Sentinel; // destroyed with the context
 };
 
-/// Keeps what else draws with the context from noticing: framebuffers, viewport, blending.
+/// Saves and restores the state of OpenGL that the passes change (framebuffers, viewport,
+/// blending), so that other users of the context are not affected.
 class GpuState
 {
 public:
@@ -97,8 +100,8 @@ private:
   std::unique_ptr<Saved> Before;
 };
 
-/// A fragment shader that fills areas of textures. Its text ends where VTK's markers for the version
-/// and the outputs (gl_FragData) have been replaced.
+/// A fragment shader that fills areas of textures. VTK's markers for the version and for the
+/// outputs (gl_FragData) in its text are replaced by VTK.
 class GpuPass
 {
 public:
@@ -107,15 +110,16 @@ public:
   GpuPass(const GpuPass&) = delete;
   GpuPass& operator=(const GpuPass&) = delete;
 
-  /// False if the shader could not be built. To be called before the settings below.
+  /// Makes the shader current; false if it could not be compiled. To be called before the methods
+  /// below.
   bool Use();
   void Set(const char* name, vtkTextureObject* texture);
   void Set(const char* name, int value);
   void Set(const char* name, int x, int y);
   void Set(const char* name, float value);
-  void Set(const char* name, const std::vector<float>& vectors); ///< of four
+  void Set(const char* name, const std::vector<float>& vectors); ///< vectors of four numbers
 
-  /// Fills the area of up to eight images, or of one layer of a stack.
+  /// Fills an area of up to eight images, or of one layer of a stack.
   void Draw(const std::vector<vtkTextureObject*>& targets, const GpuArea& area,
     GpuBlend blend = GpuBlend::Replace);
   void DrawLayer(vtkTextureObject* stack, int layer, const GpuArea& area);

@@ -15,7 +15,7 @@ namespace skyline
 namespace
 {
 
-constexpr int RowLength = 1024; // steps a row of the table: as in GpuExact.glsl
+constexpr int RowLength = 1024; // steps per row of the table, as in GpuExact.glsl
 
 GpuTexture Checked(GpuTexture texture)
 {
@@ -44,7 +44,7 @@ GpuTexture StepTable(GpuDevice& device, const RayFrame& frame)
   return Checked(device.Image(4 * RowLength, static_cast<int>(rows), 4, values.data()));
 }
 
-/// A range of lines or of lanes of the frame that covers those of the image.
+/// The range of lines or lanes of the ray frame that covers a range of the image.
 struct Range
 {
   std::ptrdiff_t Begin, End;
@@ -146,7 +146,7 @@ void GpuExact::Walk(const GpuArea& tile, const GpuArea& area, const RayFrame& fr
   {
     throw std::runtime_error("OpenGL cannot build the shader of exact horizons");
   }
-  // The steps in which some ray of the area may be in the sheet.
+  // The steps at which a ray of the area can lie in the sheet.
   const GpuArea posts{ tile.X + area.X, tile.Y + area.Y, area.Width, area.Height };
   const Range from = LinesOf(frame, posts);
   const Range there = LinesOf(frame, sheet.Posts);

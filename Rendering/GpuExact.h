@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exact horizons on the graphics processor: the counterpart of HorizonExact, without its bounds.
+// Exact horizons on the graphics processor. Unlike HorizonExact it uses no bounds to stop early.
 #ifndef skyline_GpuExact_h
 #define skyline_GpuExact_h
 
@@ -11,8 +11,9 @@
 namespace skyline
 {
 
-/// Every receiver walks its whole ray. A field larger than a texture lies in several, which share their
-/// outermost posts, so that each edge lies in one of them; the greatest of their horizons counts.
+/// Each receiver follows its ray to the edge of the data. A field larger than a texture is divided
+/// into several sheets, which share their outermost posts so that each edge lies in one sheet. The
+/// horizon is the greatest over all sheets.
 class GpuExact : public GpuHorizons
 {
 public:
@@ -41,7 +42,7 @@ private:
   int Side = 0;
   std::vector<Sheet> Sheets;
   GpuTexture Receivers;
-  GpuArea Tile; // whose receivers are there
+  GpuArea Tile; // the tile whose receivers are loaded
   std::unique_ptr<GpuPass> Pass;
 };
 

@@ -20,7 +20,7 @@ bool GpuFilter::SetDevice(vtkOpenGLHeightFieldDevice* device)
   {
     return false;
   }
-  this->Harmonics.reset(); // before its device goes
+  this->Harmonics.reset(); // must be destroyed before its device
   this->Device = device;
   return true;
 }
@@ -35,7 +35,8 @@ bool GpuFilter::Attempt(
   vtkObject* filter, HorizonScene& scene, const std::function<void()>& compute)
 {
   this->OnDevice = this->Filled = this->OneTile = false;
-  // The GPU knows bands of rows; other distorted maps are left to the host.
+  // The graphics processor handles spacings that vary by row. Other distorted maps are left to the
+  // host.
   const bool rows = scene.Ground().Uniform() || scene.Ground().ByRows();
   if (!rows || !GpuHarmonics::Unknown(scene.UsedSettings()).empty())
   {
@@ -44,7 +45,7 @@ bool GpuFilter::Attempt(
   if (!this->Ready())
   {
     this->Harmonics.reset();
-    // What goes with them may have made another context current.
+    // The destructor may have made another context current.
     if (!this->Device->IsAvailable())
     {
       this->Tell(filter, this->Device->GetReason());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the filters on the graphics processor have in common: a device, and its passes.
+// What all filters on the graphics processor share: a device and the passes that run on it.
 #ifndef skyline_GpuFilter_h
 #define skyline_GpuFilter_h
 
@@ -27,31 +27,33 @@ class GpuFilter
 public:
   vtkSmartPointer<vtkOpenGLHeightFieldDevice> Device =
     vtkSmartPointer<vtkOpenGLHeightFieldDevice>::New();
-  bool OnDevice = false;     ///< the last result
-  bool Filled = false;       ///< and its values were read back
-  bool OneTile = false;      ///< and its images are there
-  bool Timed = false;        ///< measure
-  std::vector<float> Values; ///< of tiles, where the filter has no place for them
+  bool OnDevice = false;     ///< whether the device computed the last result
+  bool Filled = false;       ///< and whether its values were read back
+  bool OneTile = false;      ///< and whether its images are available
+  bool Timed = false;        ///< whether to measure the times of the passes
+  std::vector<float> Values; ///< the values of a tiled run, if the filter has no array for them
 
-  /// Whether it is another one.
+  /// Returns whether the device changed.
   bool SetDevice(vtkOpenGLHeightFieldDevice* device);
 
-  /// False if the host has to compute; where that is an error, the filter reports it, once.
-  /// task.Values (null: Values) is filled if readBack, or if one texture does not hold the field.
+  /// Computes harmonics. Returns false if the host has to compute; if the cause is an error, the
+  /// filter reports it once.
+  /// task.Values (or Values if it is null) is filled if readBack is true or if the field does not
+  /// fit into one texture.
   bool Run(
     vtkObject* filter, HorizonScene& scene, GpuHarmonics::Task task, bool readBack, bool& finished);
 
-  /// Likewise: horizons in degrees.
+  /// The same for horizons, in degrees.
   bool Store(vtkObject* filter, HorizonScene& scene, const std::vector<double>& azimuths,
     float* degrees, bool& finished);
 
-  /// Takes an array off an output if nobody read its values back.
+  /// Removes an array from the output if its values were not read back.
   void RemoveUnread(vtkImageData* output, const char* name) const;
 
   vtkTextureObject* Image(int index) const;
   GpuHarmonics* Passes() const { return this->Harmonics.get(); }
 
-  /// Whether the context that made the last images is there, and current.
+  /// Whether the context that made the last images still exists and is current.
   bool Ready();
 
 private:

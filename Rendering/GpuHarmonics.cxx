@@ -46,7 +46,7 @@ GpuTexture Checked(GpuTexture texture)
 
 } // namespace
 
-/// Adds the time of its life to a sum.
+/// Adds its lifetime to a sum of seconds.
 class GpuHarmonics::Lap
 {
 public:
@@ -85,11 +85,11 @@ std::string GpuHarmonics::Unknown(const HorizonSettings& settings)
 {
   if (settings.Method == HorizonMethodKind::Sweep)
   {
-    return "the sweep has no gpu on the graphics processor";
+    return "the sweep has no counterpart on the graphics processor";
   }
   if (settings.Method != HorizonMethodKind::Pyramid && settings.Shape == Surface::Bilinear)
   {
-    return "bilinear surfaces have no gpu on the graphics processor";
+    return "bilinear surfaces have no counterpart on the graphics processor";
   }
   return {};
 }
@@ -194,7 +194,7 @@ bool GpuHarmonics::Store(HorizonScene& scene, const std::vector<double>& azimuth
           std::transform(texel, texel + here, to,
             [](float angle)
             {
-              // No terrain is 90 degrees down to the last bit.
+              // Where there is no terrain, the horizon is exactly -90 degrees.
               return angle <= static_cast<float>(-0.5 * Pi)
                 ? -90.0f
                 : angle * static_cast<float>(DegreesPerRadian);
@@ -232,7 +232,7 @@ void GpuHarmonics::Prepare(const Task& task, const GpuArea& tile)
   const bool changed = task.Bands != this->Bands || transfer != this->Transfer;
   if (changed)
   {
-    this->Bands = 0; // until all is there
+    this->Bands = 0; // set again when all passes are ready
     this->Wedges.clear();
     for (int begin = 0; begin < count; begin += PerPass)
     {

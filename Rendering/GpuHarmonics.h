@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Visibility and transfer as spherical harmonics on the graphics processor: gpu of
+// Visibility and transfer as spherical harmonics on the graphics processor: the counterpart of
 // VisibilityAccumulator.
 #ifndef skyline_GpuHarmonics_h
 #define skyline_GpuHarmonics_h
@@ -15,7 +15,8 @@ namespace skyline
 
 class HorizonScene;
 
-/// Seconds of the passes; measured if Wanted, for that waits for each of them.
+/// Seconds that each pass took. Measured only if Wanted is true, because the program must then wait
+/// for the end of each pass.
 struct GpuTimes
 {
   bool Wanted = false;
@@ -28,36 +29,39 @@ public:
   GpuHarmonics(GpuDevice& device, const GpuLimits& limits);
   ~GpuHarmonics();
 
-  /// Nothing, or why the graphics processor has no counterpart of these settings.
+  /// Empty, or the reason why the graphics processor cannot compute with these settings.
   static std::string Unknown(const HorizonSettings& settings);
 
   struct Task
   {
     int Bands = 4;
     const std::vector<double>* Azimuths = nullptr; ///< degrees
-    double Width = 0.0;                            ///< radians, of each
-    const float* East = nullptr;                   ///< gradients: transfer; null: visibility
+    double Width = 0.0;                            ///< radians, of each swath
+    /// Gradients dz/dx and dz/dy for the transfer; null for the visibility.
+    const float* East = nullptr;
     const float* North = nullptr;
-    float* Values = nullptr; ///< bands^2 a post; null: only the images are wanted
+    float* Values = nullptr; ///< bands^2 per post; null if only the images are needed
   };
 
-  /// Loads the scene's surface, and says whether one texture holds it. To be called before each Run.
+  /// Loads the surface of the scene. Returns whether the field fits into one texture. To be called
+  /// before each Run.
   bool FitsOneTile(HorizonScene& scene);
 
-  /// False if stopped. Fails with std::runtime_error in one line.
+  /// Returns false if the run was cancelled. Throws std::runtime_error with a reason of one line.
   bool Run(HorizonScene& scene, const Task& task);
 
-  /// Horizons in degrees of all posts, a component an azimuth (degrees): counterpart of StoreAccumulator.
+  /// Stores the horizons of all posts in degrees, one component per azimuth (degrees): the
+  /// counterpart of StoreAccumulator.
   bool Store(HorizonScene& scene, const std::vector<double>& azimuths, float* degrees);
 
-  /// After a run of one tile: coefficients 4 i .. 4 i + 3 of every post.
+  /// After a run without tiles: image i holds the coefficients 4 i to 4 i + 3 of each post.
   const std::vector<GpuTexture>& Images() const { return this->Sums; }
 
-  /// The irradiance of every post in an image of four components: the coefficients of Images, times the
-  /// light's: bands^2 of red, of green, of blue.
+  /// The irradiance of each post in an image with four components: the product of the coefficients
+  /// in Images and those of a light. coefficients: bands^2 each for red, green and blue.
   GpuTexture Light(const std::vector<double>& coefficients);
 
-  /// All texels of such an image, four floats each.
+  /// Reads all texels of such an image, four floats each.
   void ReadImage(vtkTextureObject* image, float* texels);
 
   GpuTimes Times;
@@ -81,7 +85,7 @@ private:
   bool Transfer = false;
   int Side = 0;                                 // of tiles
   int Width = 0, Height = 0;                    // of the images
-  std::vector<std::unique_ptr<GpuPass>> Wedges; // of 32 coefficients each
+  std::vector<std::unique_ptr<GpuPass>> Wedges; // one for each group of 32 coefficients
   std::vector<GpuTexture> Sums;
   GpuTexture Angles, Gradients, Lit;
   std::unique_ptr<GpuPass> Lighting;

@@ -15,7 +15,7 @@ namespace skyline
 namespace
 {
 
-constexpr int TileWithCasters = 512; // posts: the levels of four azimuths then take some 200 MB
+constexpr int TileWithCasters = 512; // posts; the levels of four azimuths then take some 200 MB
 
 GpuTexture Checked(GpuTexture texture)
 {
@@ -46,7 +46,7 @@ GpuTexture DecimationImage(
   return Checked(device.Image(static_cast<int>(coarse), 1, 4, values.data()));
 }
 
-/// Samples of a level that the posts [begin, end) of an axis may read.
+/// The range of samples of a level that the posts [begin, end) of an axis can read.
 std::pair<std::ptrdiff_t, std::ptrdiff_t> SamplesFor(
   double begin, double end, double scale, std::ptrdiff_t samples)
 {
@@ -81,7 +81,7 @@ bool GpuPyramid::Load(
   {
     return false;
   }
-  this->Heights = 0; // until all is there
+  this->Heights = 0; // set again when all levels are ready
   if (this->Whole)
   {
     this->BuildWhole(field);
@@ -97,7 +97,7 @@ bool GpuPyramid::Load(
 void GpuPyramid::Resize(const HeightField& field, const HorizonSettings& settings)
 {
   const Grid& grid = field.Posts();
-  this->Columns = 0; // until all is there
+  this->Columns = 0; // set again when all tables are ready
   this->Components = field.HasMissing() ? 2 : 1;
   this->Sizes = PyramidSizes(grid.Columns, grid.Rows, settings.Pyramid.LevelStep);
   const int levels = static_cast<int>(this->Sizes.size());
@@ -216,13 +216,14 @@ void GpuPyramid::BuildWhole(const HeightField& field)
   }
 }
 
-// Weights and samples of posts begin .. begin + posts - 1, relative to the samples that are there.
+// Weights and samples of the posts begin to begin + posts - 1. Sample numbers are relative to the
+// first loaded one.
 GpuTexture GpuPyramid::Taps(
   int level, std::ptrdiff_t begin, int posts, bool rows, std::ptrdiff_t first, int samples)
 {
   const PyramidSize& size = this->Sizes[static_cast<std::size_t>(level)];
   const std::ptrdiff_t count = rows ? size.Rows : size.Columns;
-  const bool finest = level + 1 == static_cast<int>(this->Sizes.size()); // read as it is
+  const bool finest = level + 1 == static_cast<int>(this->Sizes.size()); // not interpolated
   const auto width = static_cast<std::size_t>(posts);
   std::vector<float> values(8 * width);
   for (std::size_t post = 0; post < width; ++post)
@@ -248,7 +249,8 @@ GpuTexture GpuPyramid::Taps(
   return Checked(this->Device.Image(posts, 2, 4, values.data()));
 }
 
-/// The level at the posts of a rectangle, which may reach beyond the data, into a layer of a stack.
+/// Interpolates a level at the posts of a rectangle, which may extend beyond the data, into a layer
+/// of a stack.
 void GpuPyramid::Expand(const Layer& layer, int level, const GpuArea& posts,
   vtkTextureObject* stack, int index, vtkTextureObject* across, vtkTextureObject* along)
 {
@@ -272,7 +274,8 @@ void GpuPyramid::Expand(const Layer& layer, int level, const GpuArea& posts,
   this->Spline->DrawLayer(stack, index, { 0, 0, posts.Width, posts.Height });
 }
 
-/// What the receivers of a tile, and the casters of all azimuths, read of the levels.
+/// Loads the samples of each level that the receivers of a tile and their casters in all azimuths
+/// read.
 void GpuPyramid::LoadTile(const GpuArea& tile)
 {
   if (tile.X == this->TileX && tile.Y == this->TileY)
@@ -331,7 +334,7 @@ void GpuPyramid::LoadTile(const GpuArea& tile)
   this->TileY = tile.Y;
 }
 
-// Layer Group * level + azimuth: the level where the casters of the tile are.
+// Fills layer Group * level + azimuth of the stack: the level at the casters of the tile.
 void GpuPyramid::FillCasters(
   const GpuArea& tile, const std::vector<std::vector<PyramidReach>>& reaches)
 {
@@ -343,7 +346,7 @@ void GpuPyramid::FillCasters(
       const GpuArea posts{ tile.X + static_cast<int>(std::floor(reach.East + 1.0e-9)),
         tile.Y + static_cast<int>(std::floor(reach.North + 1.0e-9)), tile.Width + 1,
         tile.Height + 1 };
-      // Beyond the data nobody looks.
+      // No receiver reads samples that lie beyond the data.
       if (posts.X < this->Columns && posts.Y < this->Rows && posts.X + posts.Width > 0 &&
         posts.Y + posts.Height > 0)
       {
@@ -355,13 +358,13 @@ void GpuPyramid::FillCasters(
   }
 }
 
-// The table of GpuPyramid.glsl.
+// The table of reaches that GpuPyramid.glsl reads.
 GpuTexture GpuPyramid::Reaches(
   const GpuArea&, const std::vector<std::vector<PyramidReach>>& reaches)
 {
-  constexpr double snap = 1.0e-9; // posts: as in HorizonPyramid.cxx
+  constexpr double snap = 1.0e-9; // posts, as in HorizonPyramid.cxx
   const std::size_t levels = this->Sizes.size();
-  std::vector<float> values(12 * levels * Group, 0.0f); // no receiver is inside
+  std::vector<float> values(12 * levels * Group, 0.0f); // no receiver has its caster in the data
   for (std::size_t azimuth = 0; azimuth < reaches.size(); ++azimuth)
   {
     float* texel = values.data() + 12 * levels * azimuth;
@@ -389,7 +392,8 @@ GpuTexture GpuPyramid::Reaches(
   }
   for (std::size_t i = 0; i < levels * Group; ++i)
   {
-    // As little of a post as floats hold is none: it would read a post that is not there.
+    // Parts of a post below the precision of a float count as 0; otherwise a post beyond the data
+    // would be read.
     values[12 * i + 2] = values[12 * i + 2] > 1.0e-9f ? values[12 * i + 2] : 0.0f;
     values[12 * i + 3] = values[12 * i + 3] > 1.0e-9f ? values[12 * i + 3] : 0.0f;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pyramid of Snyder & Nowrouzezahrai 2008 on the graphics processor: the counterpart of HorizonPyramid.
+// The height pyramid of Snyder & Nowrouzezahrai (2008) on the graphics processor: the counterpart
+// of HorizonPyramid.
 #ifndef skyline_GpuPyramid_h
 #define skyline_GpuPyramid_h
 
@@ -13,9 +14,9 @@
 namespace skyline
 {
 
-/// Where it fits, the pyramid is built there from nothing but the heights, and all levels that are read
-/// lie there at full size, as SN08 have them. Else the levels are built by HeightPyramid and each tile
-/// takes from them what its receivers and casters need.
+/// If the memory allows it, the pyramid is built on the graphics processor from the heights alone,
+/// and all levels that are read lie there at full size, as in the paper. Otherwise HeightPyramid
+/// builds the levels, and each tile loads the part that its receivers and casters need.
 class GpuPyramid : public GpuHorizons
 {
 public:
@@ -28,10 +29,10 @@ public:
     const std::vector<double>& azimuths, vtkTextureObject* horizons) override;
 
 private:
-  struct Layer // one level where it is needed
+  struct Layer // the loaded part of one level
   {
     GpuTexture Image;
-    std::ptrdiff_t FirstColumn = 0, FirstRow = 0; // of the level's samples, in the image
+    std::ptrdiff_t FirstColumn = 0, FirstRow = 0; // of the loaded samples, in the level
     int Columns = 0, Rows = 0;
   };
 
@@ -48,19 +49,19 @@ private:
   GpuDevice& Device;
   GpuLimits Limits;
   HorizonSettings Settings;
-  std::uint64_t Heights = 0; // of the pyramid that is there; 0: none
+  std::uint64_t Heights = 0; // identifies the heights of the loaded pyramid; 0: none
   std::ptrdiff_t Columns = 0, Rows = 0;
-  int Components = 0; // 2 with missing posts: heights times coverage, and coverage
+  int Components = 0; // 2 with missing posts: height times coverage, and coverage
   bool Whole = false;
   int Side = 0;
   int First = 0; // the coarsest level that is read
   std::vector<PyramidSize> Sizes;
   std::vector<Layer> Levels;
-  std::vector<GpuTexture> Across, Along;           // of each level: samples from finer ones
-  std::vector<GpuTexture> PostsAcross, PostsAlong; // of each level: posts from samples
+  std::vector<GpuTexture> Across, Along;           // for each level: samples from finer ones
+  std::vector<GpuTexture> PostsAcross, PostsAlong; // for each level: posts from samples
   GpuTexture Scratch, Receivers, Casters;
-  std::unique_ptr<HeightPyramid> Host; // with tiles
-  int TileX = -1, TileY = -1;          // whose receivers are there
+  std::unique_ptr<HeightPyramid> Host; // used with tiles
+  int TileX = -1, TileY = -1;          // the tile whose receivers are loaded
   std::unique_ptr<GpuPass> Decimate, Spline, Horizon;
 };
 

@@ -19,12 +19,12 @@ namespace skyline
 namespace
 {
 
-constexpr int RowLength = 1024; // steps a row of the table: as in GpuExact.glsl
-constexpr int GroupLanes = 256; // of ShadowSweep.glsl
-constexpr int GroupLines = 64;  // of HullSweep.glsl
-constexpr int LinesPerRun = 64; // of the recurrence: work groups overlap by as many lanes
-constexpr int HullLines = 2048; // of a run: their hulls lie in one buffer
-constexpr int HullFloats = 2;   // of a sample in a hull
+constexpr int RowLength = 1024; // steps per row of the table, as in GpuExact.glsl
+constexpr int GroupLanes = 256; // as in ShadowSweep.glsl
+constexpr int GroupLines = 64;  // as in HullSweep.glsl
+constexpr int LinesPerRun = 64; // of the recurrence; work groups overlap by as many lanes
+constexpr int HullLines = 2048; // lines of a run; one buffer holds their hulls
+constexpr int HullFloats = 2;   // per sample in a hull
 
 GpuTexture Checked(GpuTexture texture)
 {
@@ -35,7 +35,7 @@ GpuTexture Checked(GpuTexture texture)
   return texture;
 }
 
-/// As GpuExact.glsl reads them.
+/// The table of steps that GpuExact.glsl reads.
 GpuTexture StepTable(GpuDevice& device, const RayFrame& frame)
 {
   const std::size_t rows = (frame.Steps.size() + RowLength - 1) / RowLength;
@@ -54,7 +54,7 @@ GpuTexture StepTable(GpuDevice& device, const RayFrame& frame)
   return Checked(device.Image(4 * RowLength, static_cast<int>(rows), 4, values.data()));
 }
 
-/// The functions of a shader, without its main.
+/// The functions of a shader file, without its main.
 std::string Functions(const char* file)
 {
   const std::string text = ShaderPart(file);
@@ -84,7 +84,7 @@ void GpuShadows::Load(const HeightField& field)
   if (std::max(this->Columns, this->Rows) > side)
   {
     throw std::runtime_error(std::to_string(this->Columns) + " x " + std::to_string(this->Rows) +
-      " posts are beyond the largest texture, " + std::to_string(side) + " a side");
+      " posts exceed the largest texture, " + std::to_string(side) + " a side");
   }
   std::vector<float> values;
   values.reserve(static_cast<std::size_t>(grid.Columns * grid.Rows));
@@ -108,8 +108,8 @@ void GpuShadows::Walk(const RayFrame& frame, double fall, std::vector<float>& va
   }
   const GpuTexture image = Checked(this->Device.Image(this->Columns, this->Rows, 1));
   const GpuTexture steps = StepTable(this->Device, frame);
-  // Where rays have fallen by more than the relief, nothing stands higher than what they met first;
-  // beside a hole they may have met nothing.
+  // Where a ray has fallen by more than the relief, no terrain stands higher than what the ray has
+  // met before. This does not hold beside a hole, where the ray may have met nothing.
   std::ptrdiff_t last = frame.Lines - 1;
   if (!this->Holes && fall > 0.0)
   {
@@ -184,8 +184,8 @@ void GpuShadows::Hulls(const SweepLines& sweep, std::vector<float>& values)
     static_cast<int>(std::min<std::size_t>(GpuBuffer::Limit() / floats, HullLines)) });
   if (samples > this->Device.ImageLimit() || run < 1)
   {
-    throw std::runtime_error("a sweep of " + std::to_string(samples) +
-      " samples a line is beyond what OpenGL's buffers hold");
+    throw std::runtime_error(
+      "a sweep of " + std::to_string(samples) + " samples per line exceeds the buffers of OpenGL");
   }
   const GpuTexture image = Checked(this->Device.Image(samples, run, 1));
   const GpuBuffer hulls(floats * static_cast<std::size_t>(run));

@@ -26,23 +26,25 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// The passes, and the heights of a field. Errors are std::runtime_error in one line.
+/// The passes, and the heights of a field. Errors are std::runtime_error with a reason of one line.
 class GpuShadows
 {
 public:
   GpuShadows(GpuDevice& device, const GpuLimits& limits);
 
-  /// The heights of a closed field, which one texture must hold.
+  /// Loads the heights of a closed field, which must fit into one texture.
   void Load(const HeightField& field);
 
-  /// Shadow heights of all posts, row by row: every receiver walks its ray until it has passed the
-  /// highest post. frame: of ShadowHeightExact; fall: metres a line.
+  /// Computes the shadow heights of all posts, row by row: each receiver follows its ray until the
+  /// ray is above the highest post. frame: that of ShadowHeightExact. fall: metres that the light
+  /// falls per line.
   void Walk(const RayFrame& frame, double fall, std::vector<float>& values);
 
-  /// Lee & Kim's recurrence: what reaches each post, by line and lane of the frame. Needs OpenGL 4.3.
+  /// The recurrence of Lee & Kim: the height of the shadow that arrives at each post, by line and
+  /// lane of the frame. Needs OpenGL 4.3.
   void Sweep(const RayFrame& frame, double fall, std::vector<float>& values);
 
-  /// Slopes on the lines of a sweep. Needs OpenGL 4.3.
+  /// Slopes of the horizon on the lines of a sweep. Needs OpenGL 4.3.
   void Hulls(const SweepLines& sweep, std::vector<float>& values);
 
 private:
@@ -56,21 +58,22 @@ private:
   std::unique_ptr<GpuCompute> SweepPass, HullPass;
 };
 
-/// Told why the host has to compute.
+/// Receives the reason why the host has to compute.
 using GpuFailure = std::function<void(const std::string&)>;
 
-/// The passes of a filter, made anew where the device has another context.
+/// The passes of a filter. They are made again when the device has another context.
 class GpuShadowSource
 {
 public:
-  bool OnDevice = false; ///< the last result
+  bool OnDevice = false; ///< whether the device computed the last result
 
-  /// Passes with the field loaded; null where the host has to compute: the filter reports why, once. computes:
-  /// compute shaders are needed; that there are none is no error.
+  /// Returns the passes with the field loaded, or null if the host has to compute; the filter then
+  /// reports the reason once. computes: whether compute shaders are needed. Their absence is not
+  /// reported as an error.
   GpuShadows* Open(
     vtkObject* filter, vtkOpenGLHeightFieldDevice* device, const HeightField& field, bool computes);
 
-  /// What the methods below call if a pass fails.
+  /// The function that the methods below call if a pass fails.
   GpuFailure Failure(vtkObject* filter);
 
 private:
@@ -83,7 +86,7 @@ private:
   std::string Told;
 };
 
-/// Method EXACT of vtkHeightFieldShadowHeight there.
+/// The method EXACT of vtkHeightFieldShadowHeight on the graphics processor.
 class GpuShadowExact : public ShadowHeightExact
 {
 public:
@@ -98,10 +101,10 @@ private:
   GpuFailure Failure;
   double Light;
   std::ptrdiff_t Columns;
-  std::vector<float> Values; // empty: the host's
+  std::vector<float> Values; // empty if the host computes
 };
 
-/// Method SWEEP of vtkHeightFieldShadowHeight there.
+/// The method SWEEP of vtkHeightFieldShadowHeight on the graphics processor.
 class GpuShadowSweep : public ShadowHeightSweep
 {
 public:
@@ -115,7 +118,7 @@ private:
   bool Done = false;
 };
 
-/// Method SWEEP of horizons there.
+/// The method SWEEP for horizons on the graphics processor.
 class GpuHorizonSweep : public HorizonSweep
 {
 public:

@@ -22,7 +22,7 @@ std::string Number(double value)
   return text.data();
 }
 
-/// The integral in all four azimuths, from s, c, q = s s, sc = s c and the angle h.
+/// The integral in all four azimuths, in terms of s, c, q = s s, sc = s c and the angle h.
 std::string IntegralText(const ElevationIntegral& integral)
 {
   std::string p = Number(integral.Polynomial[static_cast<std::size_t>(integral.Terms - 1)]);
@@ -44,7 +44,7 @@ std::string IntegralText(const ElevationIntegral& integral)
     case ElevationKind::Cosine:
       break;
   }
-  // Level ground loses exactly nothing.
+  // With this form the integral of level ground is exactly 0.
   return Number(-integral.Polynomial[0]) + " + c * " + p;
 }
 

@@ -14,7 +14,7 @@
 namespace
 {
 
-// Tokens of extensions that the headers of older EGL packages lack.
+// Enumerants of extensions that older EGL headers do not define.
 constexpr EGLenum PlatformDevice = 0x313F;      // EGL_PLATFORM_DEVICE_EXT
 constexpr EGLenum PlatformSurfaceless = 0x31DD; // EGL_PLATFORM_SURFACELESS_MESA
 
@@ -33,7 +33,7 @@ bool Has(const char* extensions, const char* name)
   return extensions && std::strstr(extensions, name);
 }
 
-// Devices with graphics processors first, those that compute on the host after them.
+// Lists graphics processors first, then devices that draw on the host.
 std::vector<void*> ListDevices(const char* extensions)
 {
   std::vector<void*> hardware;
@@ -158,7 +158,7 @@ void HeadlessContext::Destroy()
   if (this->Context)
   {
     this->Release();
-    // The display stays open: other contexts of the process may share it.
+    // The display is not closed, because other contexts of the process may share it.
     eglDestroyContext(this->Display, this->Context);
   }
   this->Context = nullptr;

@@ -8,8 +8,9 @@
 namespace skyline
 {
 
-/// An OpenGL 3.2 core context without a surface, made by EGL: on a graphics processor where EGL
-/// shows one, else on Mesa's surfaceless platform. Whoever draws brings a framebuffer object.
+/// An OpenGL 3.2 core context without a surface, made by EGL: on a graphics processor if EGL lists
+/// one, otherwise on Mesa's surfaceless platform. The caller must provide a framebuffer object to
+/// draw into.
 class HeadlessContext
 {
 public:
@@ -18,22 +19,22 @@ public:
   HeadlessContext(const HeadlessContext&) = delete;
   HeadlessContext& operator=(const HeadlessContext&) = delete;
 
-  /// Whether this build knows EGL.
+  /// Whether Skyline was built with EGL.
   static bool Built();
 
-  /// Makes the context on EGL's device of that number, or on the best one (-1). False, and Reason
-  /// says why in one line, where there is none.
+  /// Makes the context on the EGL device with this number, or on the best one (-1). Returns false
+  /// if that fails; Reason then holds the cause in one line.
   bool Create(int device);
   void Destroy();
 
   bool Exists() const { return this->Context != nullptr; }
 
-  /// False where the context does not exist or the driver has lost it.
+  /// Returns false if the context does not exist or the driver has lost it.
   bool MakeCurrent();
   bool IsCurrent() const;
   void Release();
 
-  /// An OpenGL function by its name; null where there is none.
+  /// An OpenGL function, found by its name; null if there is none.
   using Function = void (*)();
   static Function FindFunction(const char* name);
 

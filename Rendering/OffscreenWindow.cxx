@@ -13,8 +13,8 @@
 namespace
 {
 
-// VTK's X window ends the program where the server does not answer, so ask before. VTK has loaded
-// Xlib already, and nothing else here needs it.
+// VTK's X window ends the program if the X server does not answer. Therefore the server is tested
+// first. VTK has already loaded Xlib, and nothing else in Skyline needs it.
 bool DisplayAnswers()
 {
   const char* name = std::getenv("DISPLAY");
@@ -56,7 +56,7 @@ vtkSmartPointer<vtkRenderWindow> MakeOffscreenWindow(std::string& reason)
     window->SetOffScreenRendering(1);
     return window;
   }
-  reason = probe.GetReason() + ", and no X server answers at DISPLAY";
+  reason = probe.GetReason() + ", and no X server answers at the address in DISPLAY";
   return nullptr;
 }
 

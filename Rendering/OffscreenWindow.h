@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A window to draw pictures in that nobody sees.
+// A window that draws pictures off screen.
 #ifndef skyline_OffscreenWindow_h
 #define skyline_OffscreenWindow_h
 
@@ -17,8 +17,8 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// A window of vtkSkylineEGLWindow where EGL gives a context, else an off-screen one of the X server
-/// that DISPLAY names; null, with the reason in one line, where there is neither.
+/// Makes a vtkSkylineEGLWindow if EGL provides a context, otherwise an off-screen window of the X
+/// server that DISPLAY names. Returns null, and the reason in one line, if neither is possible.
 SKYLINERENDERING_EXPORT vtkSmartPointer<vtkRenderWindow> MakeOffscreenWindow(std::string& reason);
 
 } // namespace skyline

@@ -10,11 +10,12 @@
 namespace
 {
 
-// OpenGL's GL_RG16F and GL_RGBA16F; its headers come with a loader that changes with VTK.
+// OpenGL's GL_RG16F and GL_RGBA16F. Its header belongs to a loader that differs between VTK
+// versions.
 constexpr unsigned int HalfPair = 0x822F;
 constexpr unsigned int HalfQuad = 0x881A;
 
-// Posts of `components` numbers, and which of them have a value by now.
+// Posts with `components` numbers each, and which of them already have a value.
 struct Field
 {
   std::vector<float>& Values;
@@ -34,7 +35,7 @@ struct Field
   }
 };
 
-// The mean of the finite neighbours; false without one.
+// Sets a post to the mean of its finite neighbours; false if there is none.
 bool TakeMean(Field& field, std::ptrdiff_t column, std::ptrdiff_t row)
 {
   float* to = field.At(column, row);
@@ -59,7 +60,8 @@ bool TakeMean(Field& field, std::ptrdiff_t column, std::ptrdiff_t row)
   return count > 0.0f;
 }
 
-// Copies from a known neighbour one column or one row back, in the order of a sweep.
+// Copies the value of the previous column or row, in the order of a sweep, to posts without a
+// value.
 void Copy(Field& field, std::ptrdiff_t column, std::ptrdiff_t row, std::ptrdiff_t step)
 {
   const bool beside = field.Has(column - step, row);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers per post, as a PostTexture takes them.
+// Numbers per post, in the form that PostTexture needs.
 #ifndef skyline_PostValues_h
 #define skyline_PostValues_h
 
@@ -15,10 +15,11 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// Components [first, first + count) of all posts, missing posts filled.
+/// Components [first, first + count) of all posts. Missing posts are filled.
 std::vector<float> PostValues(vtkDataArray* array, int first, int count, int columns, int rows);
 
-/// dz/dx and dz/dy of all posts, as the filters have them, missing posts filled.
+/// The gradients dz/dx and dz/dy of all posts, as the filters compute them. Missing posts are
+/// filled.
 std::vector<float> PostGradients(vtkImageData* image, vtkDataArray* heights);
 
 } // namespace skyline

@@ -23,7 +23,8 @@ namespace skyline
 namespace
 {
 
-// Of the range of shadow heights: what interpolating them and the mesh rounds off, ten times over.
+// As a part of the range of shadow heights: ten times the rounding error of their interpolation and
+// of the mesh.
 constexpr double SlackPart = 1.0e-6;
 
 vtkDataArray* Find(vtkImageData* image, const char* name)
@@ -79,7 +80,7 @@ std::string ReceiverLight::Prepare(vtkOpenGLRenderWindow* window, vtkImageData* 
   return sent ? std::string() : "OpenGL refuses the texture of the shadow heights";
 }
 
-// Infinite heights are those of a sun that has set; missing ones shade nothing.
+// Infinite shadow heights mean that the sun has set. Missing shadow heights cast no shadow.
 void ReceiverLight::Gather(vtkDataArray* upper, vtkDataArray* lower)
 {
   double least = 0.0;
@@ -149,7 +150,8 @@ void ReceiverLight::SetUniforms(vtkShaderProgram* program,
   }
   if (program->IsUniformUsed("skylineNormalMatrix"))
   {
-    // Normals turn by the inverse, transposed; OpenGL takes columns, so it is the inverse's own rows.
+    // Normals are transformed by the transposed inverse. OpenGL expects columns, so these are the
+    // rows of the inverse itself.
     vtkNew<vtkMatrix3x3> turn;
     for (int i = 0; i < 3; ++i)
     {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mode RECEIVER of vtkSkylineSoftShadowShader: shadow heights as a texture, and the sun behind them.
+// The mode RECEIVER of vtkSkylineSoftShadowShader: a texture of shadow heights, and the sun that casts the
+// shadow.
 #ifndef skyline_ReceiverLight_h
 #define skyline_ReceiverLight_h
 
@@ -27,7 +28,7 @@ namespace skyline
 class ReceiverLight
 {
 public:
-  /// Which normals a mesh has; vtkSkylineSoftShadowShader's NormalType.
+  /// Which normals a mesh has, as vtkSkylineSoftShadowShader::NormalType.
   enum class Normals
   {
     Faces,
@@ -39,17 +40,17 @@ public:
 
   PostTexture Texture{ "skylineShadow" };
   Color Sun{ { 1.0, 1.0, 1.0 } }; ///< irradiance of a plane that faces the sun
-  double PenumbraDepth = 0.0;     ///< metres; counts without shadow heights of both limbs
+  double PenumbraDepth = 0.0;     ///< metres; used unless shadow heights of both limbs are given
 
-  /// Uploads the image's shadow heights if they changed, and adds to `uploads`. Returns nothing, or in
-  /// one line what the image lacks.
+  /// Uploads the shadow heights of the image if they changed, and adds the number of uploads to
+  /// `uploads`. Returns an empty string, or in one line what the image lacks.
   std::string Prepare(vtkOpenGLRenderWindow* window, vtkImageData* image, int& uploads);
 
-  /// Text for the fragment shader; changes the two others.
+  /// Returns the text for the fragment shader, and changes the two other shaders.
   std::string AddText(const std::map<vtkShader::Type, vtkShader*>& shaders, Normals normals) const;
 
-  /// placement: from the mesh's coordinates to those of the image. sky: irradiance of each function of
-  /// the normal in Receiver.glsl.
+  /// placement: the matrix from the coordinates of the mesh to those of the image. sky: the
+  /// irradiance for each function of the normal in Receiver.glsl.
   void SetUniforms(vtkShaderProgram* program, vtkOpenGLVertexBufferObjectGroup* buffers,
     vtkMatrix4x4* placement, const std::array<Color, 9>& sky) const;
 
@@ -57,7 +58,7 @@ private:
   void Gather(vtkDataArray* upper, vtkDataArray* lower);
 
   std::array<float, 2> Posts{};
-  std::array<double, 3> Middle{}; // of the image; heights: the base
+  std::array<double, 3> Middle{}; // of the image; its third coordinate is the base of the heights
   double Slack = 0.0;
   double Azimuth = 0.0, Elevation = 0.0, Radius = 0.0; // radians
   bool Soft = false;

@@ -13,7 +13,8 @@ namespace skyline
 namespace
 {
 
-/// Numbers that C++ and GLSL share, as GLSL; of a line that is no place for them, the line.
+/// Replaces a placeholder by the numbers that C++ and GLSL share. Other lines are returned
+/// unchanged.
 std::string Filled(const std::string& line)
 {
   std::ostringstream text;

@@ -5,7 +5,7 @@
 
 #include <string>
 
-// The files, put into the library by vtk_encode_string under these names.
+// The text of the files. vtk_encode_string compiles them into the library under these names.
 extern const char* skyline_HullSweep;
 extern const char* skyline_Irradiance;
 extern const char* skyline_Lamps;
@@ -32,10 +32,11 @@ extern const char* skyline_Visibility;
 namespace skyline
 {
 
-/// One part of a file: the lines after `//Skyline::Part` up to the next line that begins so, or,
-/// with an empty name, those before the first. Places that C++ fills are `//Fill::Name`. All other
-/// comment lines stay behind: a search in a shader's text finds code. `//Fill::Pi` and
-/// `//Fill::AngleTerms` are filled here, with the numbers of Constants.h.
+// Returns one part of a file: the lines after `//Skyline::Part` up to the next line that begins
+// with `//Skyline::`, or, if the name is empty, the lines before the first of them.
+// Placeholders that C++ replaces are written `//Fill::Name`. This function replaces `//Fill::Pi`
+// and `//Fill::AngleTerms` by the numbers of Constants.h. All other lines with only a comment are
+// removed, so that a search in the text of a shader finds code alone.
 std::string ShaderPart(const char* file, const std::string& part = std::string());
 
 } // namespace skyline

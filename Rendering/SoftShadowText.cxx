@@ -33,7 +33,7 @@ std::string ToneDefines()
     Define("SKYLINE_TONE_KNEE", ToneKnee) + Define("SKYLINE_TONE_WHITE", ToneWhite);
 }
 
-// Puts text behind a marker of VTK's, which stays for VTK.
+// Inserts text after a marker of VTK. The marker stays, because VTK replaces it later.
 void AddAfter(vtkShader* shader, const std::string& marker, const std::string& text)
 {
   vtkShaderProgram::Substitute(shader, marker, marker + "\n" + text);

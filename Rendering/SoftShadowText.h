@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The patch of vtkSkylineSoftShadowShader to the shaders of VTK's mappers.
+// The code that vtkSkylineSoftShadowShader inserts into the shaders of VTK's mappers.
 #ifndef skyline_SoftShadowText_h
 #define skyline_SoftShadowText_h
 
@@ -11,7 +11,7 @@
 namespace skyline
 {
 
-/// What the patch depends on; vtkSkylineSoftShadowShader says what each means.
+/// The settings on which this code depends. vtkSkylineSoftShadowShader explains them.
 struct SoftShadowText
 {
   std::string Irradiance; ///< functions of the mode: a file of glsl/
@@ -21,7 +21,7 @@ struct SoftShadowText
   bool LinearFramebuffer = false;
 };
 
-/// Puts the patch at VTK's markers, which stay for VTK.
+/// Inserts the code at VTK's markers. The markers stay, because VTK replaces them later.
 void AddSoftShadows(
   const std::map<vtkShader::Type, vtkShader*>& shaders, const SoftShadowText& wanted);
 

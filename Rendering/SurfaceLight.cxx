@@ -13,7 +13,8 @@ namespace skyline
 namespace
 {
 
-// The factor of each shape in Visibility.glsl: the norm of its harmonic and the cosine's part.
+// The factor of each shape in Visibility.glsl: the norm of the harmonic function times the
+// coefficient of the cosine.
 std::array<double, CosineShapes> CosineFactors()
 {
   const double linear = std::sqrt(3.0 / (4.0 * Pi));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Affine maps of positions, for vertices as they lie in VTK's buffers.
+// Affine maps of positions, for vertices as VTK stores them in its buffers.
 #ifndef skyline_VertexRow_h
 #define skyline_VertexRow_h
 
@@ -13,10 +13,11 @@
 namespace skyline
 {
 
-/// A row of a matrix that maps (x, y, z, 1).
+/// A row of a matrix that transforms (x, y, z, 1).
 using VertexRow = std::array<double, 4>;
 
-/// Sets the uniform to the row for the vertices of the buffer, which holds (position - shift) * scale.
+/// Sets a uniform to the row that applies to the vertices of the buffer, which holds (position -
+/// shift) * scale.
 inline void SetVertexRow(vtkShaderProgram* program, vtkOpenGLVertexBufferObjectGroup* buffers,
   const char* name, const VertexRow& row)
 {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkOpenGLHeightFieldDevice
- * @brief   the graphics processor that filters on height fields compute on
+ * @brief   the graphics processor on which filters for height fields compute
  *
- * Holds the OpenGL context of the filters vtkOpenGLHeightField... that share it: that of a render
- * window, so that a mapper may draw what they leave there, or one without a window system
- * (vtkSkylineEGLWindow, or the X server's where EGL gives none). OpenGL 3.2 is enough.
+ * Holds the OpenGL context that the filters vtkOpenGLHeightField... share. This is either the
+ * context of a given render window, so that a mapper can draw the results directly, or a context
+ * without a window system: that of a vtkSkylineEGLWindow or, where EGL provides none, that of an
+ * off-screen window of the X server. The filters need OpenGL 3.2.
  */
 #ifndef vtkOpenGLHeightFieldDevice_h
 #define vtkOpenGLHeightFieldDevice_h
@@ -34,39 +35,44 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The window whose context computes; default null: one of its own that nobody sees.
+  /// The window whose context is used. Default: null, which makes an off-screen window.
   void SetRenderWindow(vtkRenderWindow* window);
   vtkRenderWindow* GetRenderWindow();
   ///@}
 
   ///@{
-  /// Greatest side of a texture; default 0: OpenGL's own limit. Larger height fields go tile by tile.
+  /// Greatest side of a texture, in texels, 0 to 65536. Default: 0, the limit of OpenGL. Larger
+  /// height fields are computed in tiles.
   vtkSetClampMacro(TextureLimit, int, 0, 65536);
   vtkGetMacro(TextureLimit, int);
   ///@}
 
   ///@{
-  /// Memory that a pyramid may take there at full size, MiB; default 1024. A larger one goes tile by tile,
-  /// which takes less and longer.
+  /// Memory in MiB that a height pyramid at full size may take on the graphics processor, 0 to
+  /// 1048576. Default: 1024. A larger pyramid is computed in tiles, which takes less memory and
+  /// more time.
   vtkSetClampMacro(MemoryLimit, int, 0, 1048576);
   vtkGetMacro(MemoryLimit, int);
   ///@}
 
-  /// Whether there is a context; tries to make one, and makes it current. No error: GetReason tells.
+  /// Returns whether there is an OpenGL context. If there is none yet, tries to make one. Makes the
+  /// context current. A failure raises no error; GetReason returns its cause.
   bool IsAvailable();
 
-  /// Why there is none, in one line; empty while there is.
+  /// Returns in one line why there is no context, or an empty string if there is one.
   std::string GetReason();
 
-  /// What OpenGL calls the processor; empty without a context.
+  /// Returns the name of the graphics processor as OpenGL reports it, or an empty string if there
+  /// is no context.
   std::string GetName();
 
-  /// Counts the contexts so far: what was made with another one is gone.
+  /// Number of contexts made so far. After it changes, all objects made with an earlier context are
+  /// lost.
   vtkGetMacro(Generation, int);
 
 #ifndef __VTK_WRAP__
-  skyline::GpuDevice& Gpu(); ///< for the filters
-  skyline::GpuLimits Limits() const;
+  skyline::GpuDevice& Gpu();         ///< for the filters vtkOpenGL...
+  skyline::GpuLimits Limits() const; ///< TextureLimit and MemoryLimit
 #endif
 
 protected:

@@ -31,7 +31,8 @@ void vtkOpenGLHeightFieldHorizon::SetDevice(vtkOpenGLHeightFieldDevice* device)
   const vtkSmartPointer<vtkOpenGLHeightFieldDevice> before = this->Gpu->Device;
   if (this->Gpu->SetDevice(device))
   {
-    this->Sweeps = std::make_unique<skyline::GpuShadowSource>(); // before its device goes
+    // Destroys the old passes before their device is released.
+    this->Sweeps = std::make_unique<skyline::GpuShadowSource>();
     this->Modified();
   }
 }

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkOpenGLHeightFieldHorizon
- * @brief   the horizon all around every post, computed by a graphics processor
+ * @brief   the horizon around each post, computed by a graphics processor
  *
- * GPU counterpart of vtkHeightFieldHorizon: the same array `HorizonElevation`, which differs by the rounding of
- * floats (Documentation/gpu.md has the bounds). EXACT walks every ray to the edge of the data, without
- * the host's bounds; FAST takes the exact horizons, PYRAMID its own. Height fields above OpenGL's
- * texture limit go tile by tile.
+ * GPU counterpart of vtkHeightFieldHorizon with the same array `HorizonElevation`. The values
+ * differ by the rounding of floats; Documentation/gpu.md gives the bounds.
  *
- * Where there is no OpenGL context, or it is lost, one error says so in one line and the host computes
- * the array. SWEEP needs compute shaders (OpenGL 4.3): one invocation marches along each line, the hull of
- * what it has passed in a buffer; without them, and for bilinear surfaces, the host computes anyway, without
- * an error. IsOnDevice tells who did.
+ * - EXACT follows each ray to the edge of the data; unlike the host it uses no bounds to stop
+ *   early.
+ * - FAST computes the exact horizons.
+ * - PYRAMID builds its height pyramid on the graphics processor.
+ * - SWEEP needs compute shaders (OpenGL 4.3). One invocation follows each line and keeps the convex
+ *   hull of the terrain that it has passed in a buffer.
+ *
+ * Height fields that exceed the texture limit are computed in tiles.
+ *
+ * If there is no OpenGL context, or if it is lost, the filter reports one error of one line and the
+ * host computes the array. For bilinear surfaces, and for SWEEP without compute shaders, the host
+ * computes without an error. IsOnDevice returns which of the two computed.
  */
 #ifndef vtkOpenGLHeightFieldHorizon_h
 #define vtkOpenGLHeightFieldHorizon_h
@@ -39,15 +45,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Where to compute; default: a device of its own. Several filters may share one.
+  /// The device on which to compute. Default: a device of this filter alone. Several filters can
+  /// share a device.
   void SetDevice(vtkOpenGLHeightFieldDevice* device);
   vtkOpenGLHeightFieldDevice* GetDevice();
   ///@}
 
-  /// Whether the graphics processor made the last result.
+  /// Returns whether the graphics processor computed the last result.
   bool IsOnDevice();
 
-  /// The time of the last change of this filter or of its device.
+  /// The modified time, including that of the device.
   vtkMTimeType GetMTime() override;
 
 protected:

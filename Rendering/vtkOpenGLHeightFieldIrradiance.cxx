@@ -20,7 +20,7 @@ vtkStandardNewMacro(vtkOpenGLHeightFieldIrradiance);
 struct vtkOpenGLHeightFieldIrradiance::Internals
 {
   skyline::GpuFilter Gpu;
-  std::vector<double> Key; // of the transfer that is there
+  std::vector<double> Key; // identifies the transfer that is held
   skyline::GpuTexture Lit;
 };
 
@@ -44,7 +44,7 @@ void vtkOpenGLHeightFieldIrradiance::SetDevice(vtkOpenGLHeightFieldDevice* devic
 {
   if (device && device != this->Inside->Gpu.Device)
   {
-    this->Inside->Lit = nullptr; // before its device goes
+    this->Inside->Lit = nullptr; // must be released before its device
     this->Inside->Key.clear();
     this->Inside->Gpu.SetDevice(device);
     this->Modified();

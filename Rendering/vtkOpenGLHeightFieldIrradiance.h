@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkOpenGLHeightFieldIrradiance
- * @brief   the light that falls on every post, computed by a graphics processor
+ * @brief   the light that falls on each post, computed by a graphics processor
  *
- * GPU counterpart of vtkHeightFieldIrradiance for LightMethod HARMONICS, its default: the same array
- * `Irradiance`, which differs by the rounding of floats (Documentation/gpu.md has the bounds). The
- * transfer of the posts stays there: a changed light costs one pass. Horizons are those of Method
- * PYRAMID or EXACT; FAST takes the exact ones.
+ * GPU counterpart of vtkHeightFieldIrradiance for the LightMethod HARMONICS, which is its default,
+ * with the same array `Irradiance`. The values differ by the rounding of floats;
+ * Documentation/gpu.md gives the bounds. The transfer of the posts stays on the graphics processor,
+ * so that a change of the lights takes one pass. Horizons are those of the Method PYRAMID or EXACT;
+ * FAST uses the exact ones.
  *
- * With ReadBack off nothing leaves the graphics processor: hand GetTexture to
- * vtkSkylineSoftShadowShader::SetIrradianceTexture of a mapper that draws in the device's window.
+ * With ReadBack off, the result stays on the graphics processor: pass GetTexture to
+ * vtkSkylineSoftShadowShader::SetIrradianceTexture of a mapper that draws in the window of the device.
  *
- * The host computes TABLE, lamps (whose light it adds to what is read back), SWEEP and bilinear
- * surfaces. Where there is no OpenGL context, or it is lost, one error says so in one line and the host
- * computes all. IsOnDevice tells who did.
+ * The host computes the LightMethod TABLE, the Method SWEEP and bilinear surfaces. It also computes
+ * lamps, and adds their light to the array. If there is no OpenGL context, or if it is lost, the
+ * filter reports one error of one line and the host computes everything. IsOnDevice returns which
+ * of the two computed.
  */
 #ifndef vtkOpenGLHeightFieldIrradiance_h
 #define vtkOpenGLHeightFieldIrradiance_h
@@ -36,37 +38,39 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Where to compute; default: a device of its own. Several filters may share one.
+  /// The device on which to compute. Default: a device of this filter alone. Several filters can
+  /// share a device.
   void SetDevice(vtkOpenGLHeightFieldDevice* device);
   vtkOpenGLHeightFieldDevice* GetDevice();
   ///@}
 
   ///@{
-  /// Whether to make the array; default on. Off, the array is made nevertheless for a height field that
-  /// does not fit into one texture, and where lamps shine.
+  /// Whether to make the array. Default: on. If off, the array is made nevertheless if the height
+  /// field does not fit into one texture or if there are lamps.
   vtkSetMacro(ReadBack, bool);
   vtkGetMacro(ReadBack, bool);
   vtkBooleanMacro(ReadBack, bool);
   ///@}
 
-  /// Whether the graphics processor made the last result.
+  /// Returns whether the graphics processor computed the last result.
   bool IsOnDevice();
 
-  /// The irradiance, a texel a post, without lamps; null if it is not there: after tiles, or after the
-  /// host. Valid until the next update; the next frame of a field of this size fills the same one. Where
-  /// posts are missing it means nothing.
+  /// Returns the irradiance without lamps, one texel per post, or null if the field was computed in
+  /// tiles or by the host. The texture is valid until the next update, which fills the same texture
+  /// if the size stays the same. Texels of missing posts have no meaning.
   vtkTextureObject* GetTexture();
 
   ///@{
-  /// Seconds of the last execution by pass, measured with MeasurePasses (default off; it makes the
-  /// passes wait for each other): upload and pyramid, horizons, wedges, light, reading back.
+  /// Seconds that each pass of the last execution took: 0 upload and pyramid, 1 horizons, 2 wedges,
+  /// 3 light, 4 reading back. They are measured if MeasurePasses is on. Default: off, because the
+  /// passes must then wait for each other.
   vtkSetMacro(MeasurePasses, bool);
   vtkGetMacro(MeasurePasses, bool);
   vtkBooleanMacro(MeasurePasses, bool);
   void GetPassSeconds(double seconds[5]);
   ///@}
 
-  /// The time of the last change of this filter or of its device.
+  /// The modified time, including that of the device.
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -19,7 +19,7 @@ vtkOpenGLHeightFieldShadowHeight::vtkOpenGLHeightFieldShadowHeight()
 
 vtkOpenGLHeightFieldShadowHeight::~vtkOpenGLHeightFieldShadowHeight()
 {
-  this->Source.reset(); // before its device goes
+  this->Source.reset(); // must be destroyed before its device
 }
 
 void vtkOpenGLHeightFieldShadowHeight::PrintSelf(ostream& os, vtkIndent indent)
@@ -55,7 +55,7 @@ vtkMTimeType vtkOpenGLHeightFieldShadowHeight::GetMTime()
 
 bool vtkOpenGLHeightFieldShadowHeight::Compute(skyline::HorizonScene& scene, vtkImageData* output)
 {
-  const bool known = this->Method != PYRAMID && this->Surface == TRIANGLES; // else an error
+  const bool known = this->Method != PYRAMID && this->Surface == TRIANGLES; // otherwise an error
   this->Passes = known
     ? this->Source->Open(this, this->Device, scene.PreparedField(), this->Method == SWEEP)
     : nullptr;

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkOpenGLHeightFieldShadowHeight
- * @brief   how high the shadow of the terrain stands over every post, computed by a graphics processor
+ * @brief   the height of the terrain's shadow over each post, computed by a graphics processor
  *
- * GPU counterpart of vtkHeightFieldShadowHeight: the same settings and arrays, which differ by the rounding of floats.
- * EXACT and FAST walk every ray by a fragment shader until it has passed the highest post. SWEEP, Lee &
- * Kim's recurrence, is a compute shader (OpenGL 4.3): work groups carry a stretch of a line each through
- * shared memory, 64 lines a run; without compute shaders the host runs it, without an error. Heights
- * are 32-bit floats throughout. The field has to fit in one texture.
+ * GPU counterpart of vtkHeightFieldShadowHeight with the same settings and arrays. The values differ by the
+ * rounding of floats; all heights are 32-bit floats. The height field must fit into one texture.
  *
- * Where there is no OpenGL context, or it fails, one error says so in one line and the host computes the
- * array. IsOnDevice tells who did.
+ * - EXACT and FAST follow each ray, in a fragment shader, until the ray is above the highest post.
+ * - SWEEP, the recurrence of Lee & Kim, needs compute shaders (OpenGL 4.3). Each work group
+ *   processes a section of a line in shared memory, 64 lines per run. Without compute shaders the
+ *   host computes, without an error.
+ *
+ * If there is no OpenGL context, or if a pass fails, the filter reports one error of one line and
+ * the host computes the array. IsOnDevice returns which of the two computed.
  */
 #ifndef vtkOpenGLHeightFieldShadowHeight_h
 #define vtkOpenGLHeightFieldShadowHeight_h
@@ -39,15 +41,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Where to compute; default: a device of its own. Several filters may share one.
+  /// The device on which to compute. Default: a device of this filter alone. Several filters can
+  /// share a device.
   void SetDevice(vtkOpenGLHeightFieldDevice* device);
   vtkOpenGLHeightFieldDevice* GetDevice();
   ///@}
 
-  /// Whether the graphics processor made the last result.
+  /// Returns whether the graphics processor computed the last result.
   bool IsOnDevice();
 
-  /// The time of the last change of this filter or of its device.
+  /// The modified time, including that of the device.
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -67,7 +70,7 @@ private:
 
   vtkSmartPointer<vtkOpenGLHeightFieldDevice> Device;
   std::unique_ptr<skyline::GpuShadowSource> Source;
-  skyline::GpuShadows* Passes = nullptr; // of the execution
+  skyline::GpuShadows* Passes = nullptr; // during the execution
 };
 VTK_ABI_NAMESPACE_END
 

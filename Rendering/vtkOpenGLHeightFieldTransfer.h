@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkOpenGLHeightFieldTransfer
- * @brief   how every post turns distant light into irradiance, computed by a graphics processor
+ * @brief   how each post turns distant light into irradiance, computed by a graphics processor
  *
- * GPU counterpart of vtkHeightFieldTransfer: the same array `TransferSH`, which differs by the rounding of floats
- * (Documentation/gpu.md has the bounds). Horizons are those of Method PYRAMID or EXACT; FAST takes the
- * exact ones. With ReadBack off no array is made: the coefficients stay in textures.
+ * GPU counterpart of vtkHeightFieldTransfer with the same array `TransferSH`. The values differ by
+ * the rounding of floats; Documentation/gpu.md gives the bounds. Horizons are those of the Method
+ * PYRAMID or EXACT; FAST uses the exact ones. With ReadBack off no array is made, and the
+ * coefficients stay in textures.
  *
- * Where there is no OpenGL context, or it is lost, one error says so in one line and the host computes
- * the array. SWEEP and bilinear surfaces the host computes anyway. IsOnDevice tells who did.
+ * If there is no OpenGL context, or if it is lost, the filter reports one error of one line and the
+ * host computes the array. The host also computes SWEEP and bilinear surfaces, without an error.
+ * IsOnDevice returns which of the two computed.
  */
 #ifndef vtkOpenGLHeightFieldTransfer_h
 #define vtkOpenGLHeightFieldTransfer_h
@@ -36,27 +38,29 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Where to compute; default: a device of its own. Several filters may share one.
+  /// The device on which to compute. Default: a device of this filter alone. Several filters can
+  /// share a device.
   void SetDevice(vtkOpenGLHeightFieldDevice* device);
   vtkOpenGLHeightFieldDevice* GetDevice();
   ///@}
 
   ///@{
-  /// Whether to make the array; default on. Off, the height field must fit into one texture, or the
-  /// array is made after all.
+  /// Whether to make the array. Default: on. If off, the array is made nevertheless if the height
+  /// field does not fit into one texture.
   vtkSetMacro(ReadBack, bool);
   vtkGetMacro(ReadBack, bool);
   vtkBooleanMacro(ReadBack, bool);
   ///@}
 
-  /// Whether the graphics processor made the last result.
+  /// Returns whether the graphics processor computed the last result.
   bool IsOnDevice();
 
-  /// Coefficients 4 index .. 4 index + 3 of every post, a texel each; null if they are not there: after
-  /// tiles, or after the host. Valid until the next update. Where posts are missing they mean nothing.
+  /// Returns a texture with the coefficients 4 index to 4 index + 3 of each post, one texel per
+  /// post, or null if the field was computed in tiles or by the host. The texture is valid until
+  /// the next update. Texels of missing posts have no meaning.
   vtkTextureObject* GetTexture(int index);
 
-  /// The time of the last change of this filter or of its device.
+  /// The modified time, including that of the device.
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -19,7 +19,7 @@ vtkSkylineEGLWindow::vtkSkylineEGLWindow()
   this->SetMapped(1);
   this->SetOwnContext(1);
   this->MultiSamples = 0;
-  this->FrameBlitMode = NoBlit; // there is nothing behind VTK's framebuffer
+  this->FrameBlitMode = NoBlit; // there is no screen behind VTK's framebuffer
   this->ScreenSize[0] = this->ScreenSize[1] = 16384;
 }
 
@@ -39,7 +39,7 @@ std::string vtkSkylineEGLWindow::GetReason()
   return this->Context->GetReason();
 }
 
-// Makes the context where it is missing; reports a failure only once.
+// Makes the context if it does not exist. Reports a failure only once.
 bool vtkSkylineEGLWindow::Ready()
 {
   if (this->Context->Exists() || this->Failed)
@@ -66,8 +66,9 @@ void vtkSkylineEGLWindow::Initialize()
 }
 
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
-// Debian's GLEW is built for GLX: it finds every function through the dispatch library that EGL
-// shares, and then misses an X display, which nobody needs here.
+// Debian's GLEW is built for GLX. It finds all functions through the dispatch library, which EGL
+// shares, and then reports that there is no X display. Skyline needs none, so this error is
+// ignored.
 void vtkSkylineEGLWindow::OpenGLInitContext()
 {
   if (!this->Initialized)
@@ -141,7 +142,8 @@ vtkTypeBool vtkSkylineEGLWindow::IsDirect()
   return 1;
 }
 
-// The default framebuffer, which VTK asks, has no bits here; VTK's own ones have these.
+// VTK asks for the bits of the default framebuffer, which has none here. These are the bits of
+// VTK's own framebuffers.
 int vtkSkylineEGLWindow::GetColorBufferSizes(int* rgba)
 {
   if (rgba == nullptr)

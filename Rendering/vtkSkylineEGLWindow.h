@@ -3,13 +3,13 @@
  * @class vtkSkylineEGLWindow
  * @brief a render window without a window system
  *
- * Owns an OpenGL 3.2 core context that EGL makes without a surface: no X server is needed, neither
- * on a graphics processor nor with Mesa's llvmpipe. It draws into VTK's own framebuffer; read the
- * picture by vtkWindowToImageFilter or GetRGBACharPixelData(..., front = 0).
+ * Owns an OpenGL 3.2 core context that EGL makes without a surface. It needs no X server, on a
+ * graphics processor as well as with Mesa's llvmpipe. The window draws into VTK's own framebuffer.
+ * Read the picture with vtkWindowToImageFilter or with GetRGBACharPixelData(..., front = 0).
  *
- * Where EGL gives no context, Render draws nothing and reports why, once, in one line; IsSupported
- * asks without an error. VTK 9.4 has such a window of its own, vtkEGLRenderWindow; this one works
- * from 9.1.
+ * If EGL provides no context, Render draws nothing and reports the reason once, in one line.
+ * IsSupported checks this without an error. VTK 9.4 introduced a similar window,
+ * vtkEGLRenderWindow; this one works with VTK 9.1 and later.
  */
 #ifndef vtkSkylineEGLWindow_h
 #define vtkSkylineEGLWindow_h
@@ -36,28 +36,28 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Whether such a window can be had here: tries to make a context. False where Skyline was built
-   * without EGL.
+   * Returns whether such a window can be made on this machine, by trying to make a context. Returns
+   * false if Skyline was built without EGL.
    */
   static bool IsSupported();
 
   ///@{
   /**
-   * EGL's device to draw on, graphics processors before the host. Default -1: the first that works.
-   * Counts before the first Render.
+   * Number of the EGL device to draw on. Graphics processors come before devices that draw on the
+   * host. Default: -1, the first device that works. Must be set before the first Render.
    */
   vtkSetMacro(Device, int);
   vtkGetMacro(Device, int);
   ///@}
 
   /**
-   * Why there is no context, in one line; empty while all is well.
+   * Returns in one line why there is no context, or an empty string if nothing failed.
    */
   std::string GetReason();
 
   ///@{
   /**
-   * As for every render window.
+   * See vtkRenderWindow.
    */
   void Initialize() override;
   void Finalize() override;

@@ -21,7 +21,7 @@ vtkStandardNewMacro(vtkSkylineSoftShadowPolyDataMapper);
 vtkSkylineSoftShadowPolyDataMapper::vtkSkylineSoftShadowPolyDataMapper()
   : Shader(vtkSmartPointer<vtkSkylineSoftShadowShader>::New())
 {
-  // Far from the origin the places in the textures need all digits that a float has.
+  // Far from the origin, texture coordinates need all the digits of a float.
   this->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::ALWAYS_AUTO_SHIFT_SCALE);
 }
 
@@ -47,7 +47,8 @@ std::string vtkSkylineSoftShadowPolyDataMapper::GetFragmentShaderText()
   return this->FragmentShaderText;
 }
 
-// A changed light is no change of the mapper: it would build the shader anew.
+// A change of the lights alone does not modify the mapper, because the mapper would then build its
+// shader again.
 vtkMTimeType vtkSkylineSoftShadowPolyDataMapper::GetMTime()
 {
   return std::max(this->Superclass::GetMTime(), this->Shader->GetTextTime());
@@ -97,7 +98,7 @@ void vtkSkylineSoftShadowPolyDataMapper::ReleaseGraphicsResources(vtkWindow* win
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
-// Of the primitives whose shader is being built.
+// The type of normals of the primitives whose shader is being built.
 int vtkSkylineSoftShadowPolyDataMapper::NormalsOf(vtkActor* actor)
 {
   const bool faces = actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
@@ -115,13 +116,13 @@ void vtkSkylineSoftShadowPolyDataMapper::ReplaceShaderValues(
   this->FragmentShaderText = shaders[vtkShader::Fragment]->GetSource();
 }
 
-// The light is the shader's alone.
+// All light comes from vtkSkylineSoftShadowShader.
 void vtkSkylineSoftShadowPolyDataMapper::ReplaceShaderLight(
   std::map<vtkShader::Type, vtkShader*>, vtkRenderer*, vtkActor*)
 {
 }
 
-// In RECEIVER the shader takes the normals itself.
+// In the mode RECEIVER, vtkSkylineSoftShadowShader computes the normals.
 void vtkSkylineSoftShadowPolyDataMapper::ReplaceShaderNormal(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
 {

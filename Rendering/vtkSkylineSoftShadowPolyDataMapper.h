@@ -3,19 +3,22 @@
  * @class vtkSkylineSoftShadowPolyDataMapper
  * @brief draws a terrain mesh in the light of its height field
  *
- * The mesh is any poly data over the height field, in the same coordinates; it may be decimated. In the
- * mode RECEIVER of its shader it may stand or fly above the ground, and is lit at its own height.
- * Light comes from a vtkSkylineSoftShadowShader, at every fragment, at the resolution of the height field;
- * VTK's own lights and the specular part of the property count for nothing. Colours, colours of
- * scalars, draped textures, opacity, clipping planes, edges, depth peeling and picking work as with
- * every mapper.
+ * The mesh is any poly data over the height field, in the same coordinates. It may be decimated. In
+ * the mode RECEIVER of the shader, the mesh may stand or fly above the ground, and is lit at its
+ * own height.
+ *
+ * The light comes from a vtkSkylineSoftShadowShader, which computes it for each fragment at the resolution
+ * of the height field. VTK's own lights and the specular part of the property have no effect.
+ * Colours, colours from scalars, draped textures, opacity, clipping planes, edges, depth peeling
+ * and picking work as with other mappers.
  *
  *     vtkNew<vtkSkylineSoftShadowPolyDataMapper> mapper;
  *     mapper->SetInputConnection(mesh->GetOutputPort());
  *     mapper->GetShader()->SetHeightFieldConnection(irradiance->GetOutputPort());
  *
- * What cannot be drawn is reported once, in one line: a renderer without an OpenGL window, and what
- * vtkSkylineSoftShadowShader::Prepare reports. Then nothing is drawn.
+ * If the mesh cannot be drawn, because the renderer has no OpenGL window or because
+ * vtkSkylineSoftShadowShader::Prepare fails, the mapper draws nothing and reports the reason once, in one
+ * line.
  */
 #ifndef vtkSkylineSoftShadowPolyDataMapper_h
 #define vtkSkylineSoftShadowPolyDataMapper_h
@@ -40,16 +43,16 @@ public:
 
   ///@{
   /**
-   * The light. Never null: the mapper makes one, and SetShader(nullptr) makes a new one. Mappers of
-   * one terrain share one.
+   * The object that computes the light. Never null: the mapper makes one, and SetShader(nullptr)
+   * makes a new one. The mappers of one terrain can share one.
    */
   void SetShader(vtkSkylineSoftShadowShader* shader);
   vtkSkylineSoftShadowShader* GetShader();
   ///@}
 
   /**
-   * The text of the fragment shader built last, before VTK's last changes for the context; empty
-   * before the first one.
+   * Returns the text of the fragment shader that was built last, before VTK adapts it to the
+   * context. Empty before the first one is built.
    */
   std::string GetFragmentShaderText();
 

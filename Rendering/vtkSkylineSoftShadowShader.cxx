@@ -45,7 +45,7 @@ struct vtkSkylineSoftShadowShader::Internals
   int Port = 0;
   skyline::SurfaceLight Light{};
   std::array<skyline::LightColor, Lamps> LampRadiance{};
-  std::vector<float> PackedLight; // empty: to be packed
+  std::vector<float> PackedLight; // empty if it has to be packed again
   vtkTimeStamp TextTime;
 
   skyline::PostTexture Irradiance{ "skylineIrradiance" };
@@ -56,15 +56,15 @@ struct vtkSkylineSoftShadowShader::Internals
   skyline::PostTexture LampLight{ "skylineLampTexture" };
   skyline::ReceiverLight Receiver;
   vtkNew<vtkMatrix4x4> Placement;
-  std::vector<skyline::PostTexture*> InUse; // of the last Prepare
+  std::vector<skyline::PostTexture*> InUse; // by the last Prepare
   int Uploads = 0;
   std::string Reported; // why the last Prepare failed
 
-  // Of the image that the textures show.
+  // The position of the image that the textures show.
   skyline::VertexRow Across{};
   skyline::VertexRow Up{};
 
-  // Rows of the matrix from positions to texture coordinates: post i has its texel's centre.
+  // Rows of the matrix from positions to texture coordinates. Post i lies at the centre of texel i.
   void Place()
   {
     const double(*index)[4] = this->Image->GetPhysicalToIndexMatrix()->Element;
@@ -79,7 +79,7 @@ struct vtkSkylineSoftShadowShader::Internals
     }
   }
 
-  // A row for the mesh of an actor with a matrix of its own.
+  // The same row for the mesh of an actor with a matrix.
   skyline::VertexRow Placed(const skyline::VertexRow& row) const
   {
     skyline::VertexRow placed{};
@@ -234,7 +234,7 @@ void vtkSkylineSoftShadowShader::GetLightCoefficient(int index, double rgb[3])
 void vtkSkylineSoftShadowShader::SetUniformLight(double red, double green, double blue)
 {
   this->Inside->Light = skyline::SurfaceLight{};
-  const double y = std::sqrt(4.0 * skyline::Pi); // the coefficient of 1
+  const double y = std::sqrt(4.0 * skyline::Pi); // the coefficient of the constant function 1
   this->SetLightCoefficient(0, y * red, y * green, y * blue);
 }
 
@@ -302,7 +302,7 @@ std::string vtkSkylineSoftShadowShader::Upload(vtkOpenGLRenderWindow* window)
   if (size[0] > limit || size[1] > limit)
   {
     std::ostringstream text;
-    text << size[0] << " x " << size[1] << " posts are beyond this OpenGL's largest texture, "
+    text << size[0] << " x " << size[1] << " posts exceed the largest texture of this OpenGL, "
          << limit << " x " << limit << "; light a part or a coarser height field";
     return text.str();
   }
@@ -394,7 +394,7 @@ void vtkSkylineSoftShadowShader::ReplaceShaderValues(
   switch (this->Mode)
   {
     case RECEIVER:
-      // Before the rest: what follows is put before it.
+      // Must come first: the text that follows is inserted before this text.
       text.Irradiance = this->Inside->Receiver.AddText(
         shaders, static_cast<skyline::ReceiverLight::Normals>(normals));
       break;

@@ -3,32 +3,37 @@
  * @class vtkSkylineSoftShadowShader
  * @brief light on a height field, for the fragment shader of a poly data mapper
  *
- * Holds what lights a terrain: point arrays of its height field, which become textures at the
- * resolution of the posts, and the lights, which are uniforms. Four ways to light, by Mode:
- * - IRRADIANCE: the array Irradiance (RGB), light that is already summed up;
- * - TRANSFER: the array TransferSH (16 coefficients of visibility times cosine) against the 16
- *   coefficients of the light;
- * - VISIBILITY: the array VisibilitySH (16 coefficients) times the clamped cosine around the
- *   normal of the heights, at every fragment, times the light;
- * - RECEIVER: the arrays ShadowHeight, or ShadowHeightUpper and ShadowHeightLower, and the field array
- *   ShadowSun, all of vtkHeightFieldShadowHeight. Draws whatever stands or flies over the height field (houses,
- *   aircraft, a point cloud) in the shadow of the terrain: the sun, as far as the terrain leaves its disc
- *   free at the fragment's own height (as vtkHeightFieldShadowReceiver finds it), times the cosine, and the
- *   16 coefficients of the light as a sky that nothing hides.
- * In each of them up to four lamps may add their own light, from the array LampIrradiance.
+ * Holds the light of a terrain: point arrays of its height field, which become textures at the
+ * resolution of the posts, and lights, which become uniforms. The Mode selects how the light is
+ * computed:
+ * - IRRADIANCE: from the array Irradiance (RGB), which is the sum of all lights;
+ * - TRANSFER: the product of the array TransferSH (16 coefficients of visibility times cosine) and
+ *   the 16 coefficients of the light;
+ * - VISIBILITY: the triple product of the array VisibilitySH (16 coefficients), the clamped cosine
+ *   around the normal of the heights at each fragment, and the light;
+ * - RECEIVER: from the arrays of vtkHeightFieldShadowHeight: ShadowHeight, or ShadowHeightUpper and
+ *   ShadowHeightLower, and the field array ShadowSun. Draws objects that stand or fly over the
+ *   height field (houses, aircraft, a point cloud) in the shadow of the terrain. Their light is
+ *   that of the sun, times the visible part of its disc at the height of the fragment (as in
+ *   vtkHeightFieldShadowReceiver), times the cosine, plus the 16 coefficients of the light as a sky that
+ *   nothing hides.
  *
- * The ground is Lambertian: it sends out albedo * E / pi. The albedo is what VTK would show without
- * light: the actor's diffuse colour, colours of scalars, draped textures, as sRGB codes. The
- * result is exposed, goes through the tone curve and is shown as sRGB codes.
+ * In each mode, up to four lamps can add light, from the array LampIrradiance.
  *
- * Other mappers call it as vtkSkylineSoftShadowPolyDataMapper does: Prepare before drawing,
- * ReplaceShaderValues on the templates (and no light of their own), Activate, SetUniforms for every
- * program, Deactivate. Positions of the mesh are those of the image; an actor's matrix does not
- * change the light, but in RECEIVER, where it moves the mesh through the shadow (SetPlacement). Several mappers may share one shader, and with it the textures.
+ * The ground is Lambertian: its radiance is albedo * E / pi. The albedo is the colour that VTK
+ * would show without light: the diffuse colour of the actor, colours from scalars, or draped
+ * textures, as sRGB codes. The exposure and the tone curve are applied to the result,
+ * which is shown as sRGB codes.
  *
- * Missing posts (NaN) take light from their neighbours, so that a mesh with coarser cells has no
- * black rims. Angles and axes as everywhere: x east, y north, z up; harmonics real, orthonormal,
- * without the Condon-Shortley phase, index l * l + l + m.
+ * Other mappers use this class as vtkSkylineSoftShadowPolyDataMapper does: call Prepare before drawing,
+ * ReplaceShaderValues on the shader templates (instead of the mapper's own light), then Activate,
+ * SetUniforms for each program, and Deactivate. Positions of the mesh are those of the image. The
+ * matrix of an actor does not change the light, except in the mode RECEIVER, where it moves the
+ * mesh through the shadow (SetPlacement). Several mappers can share one shader and its textures.
+ *
+ * Missing posts (NaN) take their light from their neighbours, so that a mesh with coarser cells has
+ * no black rims. The axes are x east, y north and z up. Harmonics are real, orthonormal and without
+ * the Condon-Shortley phase; their index is l * l + l + m.
  */
 #ifndef vtkSkylineSoftShadowShader_h
 #define vtkSkylineSoftShadowShader_h
@@ -69,8 +74,8 @@ public:
     RECEIVER
   };
 
-  /// The normals of a mesh for RECEIVER: those of its faces, those of its points, or none: what has no
-  /// side is lit as if turned to the sun.
+  /// The normals of a mesh in the mode RECEIVER: those of its faces, those of its points, or none.
+  /// Primitives without normals, such as points and lines, are lit as if they faced the sun.
   enum NormalType
   {
     FACES,
@@ -80,7 +85,7 @@ public:
 
   ///@{
   /**
-   * Where the light comes from. Default IRRADIANCE.
+   * How the light is computed, a ModeType. Default: IRRADIANCE.
    */
   void SetMode(int mode);
   vtkGetMacro(Mode, int);
@@ -88,8 +93,8 @@ public:
 
   ///@{
   /**
-   * The height field with the arrays: a 2-D image, or the output of an algorithm, which is updated
-   * before drawing.
+   * The height field with the arrays: a two-dimensional image, or the output of an algorithm, which
+   * is updated before drawing. Default: none.
    */
   void SetHeightField(vtkImageData* image);
   vtkImageData* GetHeightField();
@@ -99,7 +104,8 @@ public:
   ///@{
   /**
    * Names of the point arrays. Defaults: Irradiance, TransferSH, VisibilitySH, LampIrradiance,
-   * Elevation (metres, for the normals; without an array of that name, the active scalars).
+   * Elevation (heights in metres, from which the normals are computed; if there is no array with
+   * this name, the active scalars).
    */
   vtkSetMacro(IrradianceArrayName, std::string);
   vtkGetMacro(IrradianceArrayName, std::string);
@@ -115,10 +121,11 @@ public:
 
   ///@{
   /**
-   * The light of IRRADIANCE as a texture that is on the graphics processor already, a texel a post of the
-   * height field: three float components, linear. In place of the array, which then need not exist:
-   * light that is computed there is never read back. It belongs to the window that draws, and its owner
-   * releases it. Default none.
+   * The irradiance of the mode IRRADIANCE as a texture that already is on the graphics processor,
+   * with one texel per post of the height field: three components, floats, linear light. It
+   * replaces the array, which then need not exist, so that light computed on the graphics processor
+   * is never read back. The texture belongs to the context of the window that draws, and its owner
+   * releases it. Default: none.
    */
   void SetIrradianceTexture(vtkTextureObject* texture);
   vtkTextureObject* GetIrradianceTexture();
@@ -126,22 +133,24 @@ public:
 
   ///@{
   /**
-   * Coefficient 0 to 15 of the light of TRANSFER and VISIBILITY, linear RGB. Default: that of
-   * SetUniformLight(1, 1, 1). A change costs a few uniforms.
+   * Coefficient 0 to 15 of the light in the modes TRANSFER, VISIBILITY and RECEIVER, linear RGB.
+   * Default: those of SetUniformLight(1, 1, 1). A change only sets uniforms. Another index is an
+   * error.
    */
   void SetLightCoefficient(int index, double red, double green, double blue);
   void GetLightCoefficient(int index, double rgb[3]);
   ///@}
 
   /**
-   * Makes the light the same radiance from everywhere.
+   * Sets the coefficients of a light with the same radiance in all directions, linear RGB.
    */
   void SetUniformLight(double red, double green, double blue);
 
   ///@{
   /**
-   * Radiance of lamp 0 to 3, linear RGB, 0 and up. The array LampIrradiance holds in component i what
-   * lamp i gives at radiance 1. Default black; while all are black, the shader knows no lamps.
+   * Radiance of lamp 0 to 3, linear RGB, at least 0. Component i of the array LampIrradiance is the
+   * irradiance from lamp i at radiance 1. Default: black. If all lamps are black, the shader
+   * contains no lamps.
    */
   void SetLampRadiance(int lamp, double red, double green, double blue);
   void GetLampRadiance(int lamp, double rgb[3]);
@@ -150,8 +159,8 @@ public:
 
   ///@{
   /**
-   * Irradiance that the sun of RECEIVER gives a plane which faces it, linear RGB. Default 1, 1, 1. A
-   * uniform; where the sun stands is the shadow heights' to say.
+   * Irradiance that the sun of the mode RECEIVER gives a plane facing it, linear RGB. Default: 1,
+   * 1, 1. A change only sets uniforms. The direction of the sun comes with the shadow heights.
    */
   void SetSunIrradiance(double red, double green, double blue);
   void GetSunIrradiance(double rgb[3]);
@@ -159,8 +168,9 @@ public:
 
   ///@{
   /**
-   * How far below ShadowHeight light fades, metres; default 0, a hard edge. Of RECEIVER, as in
-   * vtkHeightFieldShadowReceiver; counts without shadow heights of both limbs alone.
+   * Depth below ShadowHeight over which the sunlight fades out, in metres, in the mode RECEIVER, as
+   * in vtkHeightFieldShadowReceiver. Default: 0, a sharp edge of the shadow. Not used with the shadow heights
+   * of both limbs.
    */
   void SetPenumbraDepth(double depth);
   double GetPenumbraDepth();
@@ -168,8 +178,9 @@ public:
 
   ///@{
   /**
-   * Exposure in stops: light is multiplied by 2 to this power. Default 0, which shows level open
-   * ground under an irradiance of pi as its albedo. A uniform.
+   * Exposure in stops: the light is multiplied by 2 to this power. Default: 0, with which level
+   * open ground under an irradiance of pi appears in the colour of its albedo. A change only sets a
+   * uniform.
    */
   vtkSetMacro(Exposure, double);
   vtkGetMacro(Exposure, double);
@@ -177,7 +188,7 @@ public:
 
   ///@{
   /**
-   * Whether the tone curve applies; else light above 1 is clipped. Default on.
+   * Whether to apply the tone curve. If off, light above 1 is clipped. Default: on.
    */
   void SetToneMapping(bool on);
   vtkGetMacro(ToneMapping, bool);
@@ -186,8 +197,8 @@ public:
 
   ///@{
   /**
-   * Whether draped textures arrive as linear light (vtkTexture::UseSRGBColorSpaceOn), and whether
-   * the framebuffer makes sRGB codes by itself. vtkSkylineSoftShadowPolyDataMapper sets both. Default off.
+   * Whether draped textures provide linear light (vtkTexture::UseSRGBColorSpaceOn), and whether the
+   * framebuffer converts to sRGB codes itself. vtkSkylineSoftShadowPolyDataMapper sets both. Default: off.
    */
   void SetLinearTextures(bool on);
   vtkGetMacro(LinearTextures, bool);
@@ -196,29 +207,31 @@ public:
   ///@}
 
   /**
-   * Uploads what changed to textures of the window, whose context is current. Returns false where the
-   * terrain cannot be lit: no height field, no such array, too many posts for a texture. An error
-   * says why, in one line, once until the reason changes.
+   * Uploads changed arrays to textures of the window, whose context must be current. Returns false if
+   * the terrain cannot be lit: there is no height field, an array is missing, or there are more posts
+   * than a texture can hold. The reason is reported as an error, once until it changes.
    */
   bool Prepare(vtkOpenGLRenderWindow* window);
 
   /**
-   * Adds the light to the templates of a poly data mapper. To be called before VTK's own
-   * replacements; the mapper must leave out VTK's lights (ReplaceShaderLight). normals: a NormalType,
-   * for RECEIVER, in which the mapper must leave out VTK's normals too (ReplaceShaderNormal).
+   * Inserts the light into the shader templates of a poly data mapper. To be called before VTK's
+   * own replacements. The mapper must omit VTK's lights (ReplaceShaderLight) and, in the mode
+   * RECEIVER, VTK's normals (ReplaceShaderNormal). normals: a NormalType, used in the mode
+   * RECEIVER.
    */
   void ReplaceShaderValues(
     const std::map<vtkShader::Type, vtkShader*>& shaders, int normals = FACES);
 
   /**
-   * The matrix of the actor that the next SetUniforms is for; null: none. Counts in RECEIVER.
+   * The matrix of the actor for which SetUniforms is called next, or null if it has none. Used in
+   * the mode RECEIVER.
    */
   void SetPlacement(vtkMatrix4x4* matrix);
 
   ///@{
   /**
-   * Around drawing; SetUniforms for every program, with the mapper's buffers, which tell how the
-   * vertices were shifted and scaled.
+   * To be called around drawing: Activate, then SetUniforms for each program, then Deactivate.
+   * buffers: the vertex buffers of the mapper, which hold the shift and scale of the vertices.
    */
   void Activate();
   void SetUniforms(vtkShaderProgram* program, vtkOpenGLVertexBufferObjectGroup* buffers);
@@ -227,12 +240,13 @@ public:
   ///@}
 
   /**
-   * How many textures have been uploaded so far. A light that changes uploads none.
+   * Number of textures uploaded so far. A change of the lights uploads none.
    */
   int GetNumberOfTextureUploads();
 
   /**
-   * When the text of the shader changed last. A mapper includes it in its own modified time.
+   * The time at which the text of the shader last changed. A mapper must include it in its own
+   * modified time.
    */
   vtkMTimeType GetTextTime();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Error, run time and memory of every method for horizons, next to other programs, in one run.
+// Compares error, run time and memory of all horizon methods and of other programs in one run.
 #include "Azimuths.h"
 #include "HorizonTable.h"
 #include "Machine.h"
@@ -38,7 +38,7 @@ struct Options
   Plan How;
 };
 
-// What is left to its default becomes small with --quick.
+// With --quick, options that were not given get small values.
 void MakeQuick(Options& options, const CLI::App& app)
 {
   const auto shrink = [&](const char* name, int& value, int small)
@@ -68,7 +68,8 @@ std::vector<const Method*> Chosen(const std::vector<std::string>& names)
   return methods;
 }
 
-// Once on a small scene: brings in the code, whose pages are not the method's memory.
+// Runs the method once on a small scene, so that the memory of its code does not count as memory of
+// the method.
 void Warm(const Method& method)
 {
   const Scene scene = MakeScene("hills", 32);
@@ -104,7 +105,7 @@ std::vector<Row> Run(const Options& options)
   return rows;
 }
 
-// A comma-separated list of known names.
+// Adds an option that takes a comma-separated list of known names.
 CLI::Option* AddNames(CLI::App& app, const std::string& option, std::vector<std::string>& names,
   const std::string& what, const std::vector<std::string>& known)
 {
@@ -124,8 +125,8 @@ int main(int argc, char** argv)
   {
     methodNames.push_back(method.Name);
   }
-  CLI::App app("Prints error, time and memory of every method for horizons, in one table.");
-  app.add_option("--size", options.Size, "posts of a side of the made scenes")
+  CLI::App app("Prints error, time and memory of all horizon methods, in one table.");
+  app.add_option("--size", options.Size, "posts per side of the generated scenes")
     ->check(CLI::Range(16, 16384))
     ->capture_default_str();
   app.add_option("--azimuths", options.Azimuths, "azimuths around")
@@ -134,8 +135,8 @@ int main(int argc, char** argv)
   app.add_option("--posts", options.Posts, "random posts that are compared with the oracle")
     ->check(CLI::Range(1, 1000000))
     ->capture_default_str();
-  app.add_option("--seed", options.Seed, "of the random posts")->capture_default_str();
-  app.add_option("--repeats", options.How.Repeats, "of every time")
+  app.add_option("--seed", options.Seed, "seed of the random posts")->capture_default_str();
+  app.add_option("--repeats", options.How.Repeats, "repeats of each timed run")
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
   std::vector<std::string> sceneNames = SceneNames();
@@ -143,8 +144,8 @@ int main(int argc, char** argv)
   AddNames(app, "--scenes", options.Scenes, "only these scenes; none: only the DEMs", sceneNames);
   AddNames(app, "--methods", options.MethodNames, "only these methods", methodNames);
   app.add_option("--csv", options.Csv, "write the table to this file too");
-  app.add_flag("--quick", options.Quick, "small scenes, few azimuths: does it work?");
-  app.add_option("DEM", options.Rasters, "rasters that become scenes after the others");
+  app.add_flag("--quick", options.Quick, "small scenes and few azimuths, to test the program");
+  app.add_option("DEM", options.Rasters, "rasters that are used as further scenes");
   try
   {
     app.parse(argc, argv);
@@ -154,7 +155,7 @@ int main(int argc, char** argv)
     return app.exit(failure) == 0 ? 0 : 2; // 0: --help
   }
 
-  // One core: the filters' driver runs here, and no thread of it outlives a fork.
+  // One core: the driver of the filters runs here, and a fork copies no other threads.
   vtkSMPTools::SetBackend("Sequential");
   try
   {

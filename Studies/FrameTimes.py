@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Frame times of `skyline view` by pass, while a hand moves the camera, the sun and a lamp.
+"""Frame times of `skyline view` by pass, while the camera, the sun and a lamp are moved.
 
     PYTHONPATH=Testing/Tools /usr/bin/python3 Studies/FrameTimes.py PROGRAM [DISPLAY]
 
-Without DISPLAY in an X server that nobody sees, on Mesa's llvmpipe. Prints a table: for each pass the
-least and the median wall milliseconds of the pictures in which it ran.
+Without DISPLAY the window is in an invisible X server, drawn by Mesa's llvmpipe. Prints a table:
+for each pass, the least and the median wall time in milliseconds of the pictures in which it ran.
 """
 import re
 import statistics
@@ -19,19 +19,19 @@ from TestView import Hands, Server
 SIZE = "1280x800"
 MIDDLE = (640, 400)
 STEPS = 60
-REST = 5.0  # seconds until the exact picture stands, with time to spare
-PAUSE = 0.1  # seconds between two moves of the hand
+REST = 5.0  # seconds until the exact picture is drawn, with a margin
+PAUSE = 0.1  # seconds between two moves
 
 
 def pictures(text):
-    """The passes of every picture: names and milliseconds."""
+    """The passes of each picture: names and milliseconds."""
     lines = re.findall(r"picture \d+: (.*) ms", text)
     return [{name: float(ms) for name, ms in re.findall(r"([a-z ]+?) ([\d.]+)(?:, |$)", line)}
             for line in lines]
 
 
 def measure(program, display):
-    """Pictures of each phase, and those after it, at rest."""
+    """The pictures of each phase, and those after it, at rest."""
     phases = {}
     with tempfile.NamedTemporaryFile("w+", suffix=".log") as log:
         viewer = subprocess.Popen(
@@ -70,7 +70,7 @@ def measure(program, display):
         hands.move(*MIDDLE)
         hands.key("l")
         for _ in range(12):
-            hands.key("Next")  # down to the ground, under the mouse
+            hands.key("Next")  # down to the ground, under the pointer
         time.sleep(REST)
         phase("a lamp is placed")
         drag("lamp", 200, 60)

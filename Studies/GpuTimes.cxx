@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Frame times of moving terrain on the graphics processor, split by pass, at the sizes of Snyder &
-// Nowrouzezahrai 2008, table 1, beside the host's. usage: SkylineGpuTimes [largest size, default 1024]
+// Frame times of moving terrain on the graphics processor, by pass, compared with the host. Sizes
+// are those of Snyder & Nowrouzezahrai (2008), table 1. Usage: SkylineGpuTimes [largest size,
+// default 1024]
 #include "vtkOpenGLHeightFieldDevice.h"
 #include "vtkOpenGLHeightFieldIrradiance.h"
 
@@ -28,7 +29,7 @@ double Now()
   return 1000.0 * std::chrono::duration<double>(now).count();
 }
 
-/// Milliseconds of an update after the heights have changed: a wave passes.
+/// Milliseconds of an update after a change of the heights: a moving wave.
 double Update(vtkHeightFieldIrradiance* filter, vtkImageData* image, int frame)
 {
   vtkDataArray* heights = image->GetPointData()->GetScalars();
@@ -62,7 +63,7 @@ void Measure(vtkOpenGLHeightFieldDevice* device, std::ptrdiff_t size, bool splin
     filter->AddLight(key);
   }
   Update(gpu, image, 0);  // builds the shaders
-  gpu->MeasurePassesOn(); // each frame then is finished when it returns
+  gpu->MeasurePassesOn(); // each pass then ends before the next one begins
   double whole = 0.0;
   double ofHost = 0.0;
   std::array<double, 5> best{};
@@ -103,7 +104,7 @@ int main(int argc, char** argv)
   std::cout
     << "device: " << device->GetName() << "\n"
     << "fractal, pyramid k = 4, o = 2, irradiance by transfer of order 4; milliseconds\n"
-    << "load: upload and pyramid; frame: a whole update, no read-back; host: its gpu's\n"
+    << "load: upload and pyramid; frame: a whole update, no read-back; host: the same on the host\n"
     << " size  levels  azimuths     load  horizons  wedges  light   passes    frame     host"
     << std::endl;
   for (std::ptrdiff_t size = std::min<std::ptrdiff_t>(256, largest); size <= largest; size *= 2)

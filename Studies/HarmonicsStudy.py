@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How far irradiance by spherical harmonics is off: the table of Documentation/irradiance.md.
+"""Errors of the irradiance by spherical harmonics: the table of Documentation/irradiance.md.
 
 usage: PYTHONPATH=build/python python3 HarmonicsStudy.py DEM [MAP.hdr|MAP.exr]...
-Median and what 95 in 100 posts stay below, per cent, against the table; 256 azimuths each.
+Median and 95th percentile over the posts, in percent, relative to the table; 256 azimuths each.
 """
 
 import sys

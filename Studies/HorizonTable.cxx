@@ -17,7 +17,7 @@ namespace
 struct Column
 {
   const char* Name;   // in the CSV
-  const char* Head;   // over the column
+  const char* Head;   // above the column
   const char* Format; // of its numbers; null: in the CSV only
   double (*Value)(const Result&);
 };
@@ -50,7 +50,7 @@ std::string Number(const char* format, double value)
   return std::isnan(value) ? "-" : text;
 }
 
-std::string Padded(const std::string& text, int width) // negative: to the left
+std::string Padded(const std::string& text, int width) // negative: left-aligned
 {
   const std::string gap(
     static_cast<std::size_t>(std::max(0, std::abs(width) - static_cast<int>(text.size()))), ' ');
@@ -69,7 +69,8 @@ std::string Quoted(const std::string& text)
 
 constexpr int LabelWidth = -17, NumberWidth = 10;
 
-// Of the column of scenes, which may be named after files: to the left, two spaces behind.
+// The width of the column of scenes, whose names can be those of files: left-aligned, followed by
+// two spaces.
 int SceneWidth(const std::vector<Row>& rows)
 {
   std::size_t longest = 8;
@@ -93,9 +94,9 @@ void PrintTable(std::ostream& out, const std::vector<Row>& rows)
 {
   const int sceneWidth = SceneWidth(rows);
   out
-    << "bias to max: degrees, found less oracle. prepare to wall med: ns for one post and azimuth\n"
+    << "bias to max: degrees, found - oracle. prepare to wall med: ns for one post and azimuth\n"
        "on one core, CPU time of the thread (prepare, search, their sum) and wall time, smallest\n"
-       "and median of the repeats. floats: peak memory a post beyond the input.\n\n"
+       "and median of the repeats. floats: peak memory per post beyond the input.\n\n"
     << Padded("scene", sceneWidth) << Padded("method", LabelWidth);
   for (const Column& column : Columns())
   {

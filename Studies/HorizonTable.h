@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one table of a benchmark, as text and as CSV.
+// The table of a benchmark, as text and as CSV.
 #ifndef skyline_HorizonTable_h
 #define skyline_HorizonTable_h
 
@@ -23,11 +23,11 @@ struct Row
   Result Found;
 };
 
-/// Every row, then for each scene how many times faster exact is than its peers.
+/// Prints all rows, then for each scene how many times faster exact is than the other programs.
 void PrintTable(std::ostream& out, const std::vector<Row>& rows);
 void PrintRatios(std::ostream& out, const std::vector<Row>& rows);
 
-/// The rows with all digits; empty where nothing was measured.
+/// Prints the rows with all digits. Cells without a measurement are empty.
 void PrintCsv(std::ostream& out, const std::vector<Row>& rows);
 
 } // namespace benchmark

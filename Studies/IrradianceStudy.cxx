@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Errors of the irradiance by number of azimuths, against every pixel of a light map above the exact
-// horizon, at posts drawn by lot:
+// Errors of the irradiance by number of azimuths, compared with a sum over all pixels of a light
+// map above the exact horizon, at random posts:
 //   SkylineIrradianceStudy DEM POSTS [COLUMN ROW COLUMNS ROWS] [MAP.hdr|MAP.exr]...
-// With four numbers, only that part of the DEM from its south-west post counts. A uniform sky, a
-// clear one and a map with one pixel of 1e5 times the mean are always measured. Last comes a table of
-// azimuths that are placed where horizons vary.
+// The four numbers select a part of the DEM, by its south-western post and its size. The program
+// always measures a uniform sky, a clear sky, and a map with one pixel of 1e5 times the mean. The
+// last table is for azimuths that are placed where horizons vary.
 #include "PlacedAzimuths.h"
 #include "Reference/FieldImage.h"
 #include "Reference/LightOracle.h"
@@ -27,7 +27,7 @@ namespace testing
 namespace
 {
 
-/// Azimuths of the truth: 7 in a pixel of a map of 1024 columns.
+/// Azimuths of the reference: 7 per pixel of a map with 1024 columns.
 constexpr int TruthAzimuths = 7168;
 
 struct NamedMap
@@ -40,7 +40,7 @@ struct Terrain
 {
   oracle::OracleField Field;
   std::vector<std::ptrdiff_t> Chosen;
-  std::vector<std::vector<double>> Horizon; // elevations of each chosen post
+  std::vector<std::vector<double>> Horizon; // elevations for each chosen post
 };
 
 Terrain ReadTerrain(const std::string& file, const std::vector<int>& part, int posts)
@@ -95,7 +95,7 @@ OwnedMap ReadMap(const std::string& file)
   return map;
 }
 
-/// A whole number; false for other text.
+/// Reads a whole number; false for other text.
 bool ReadNumber(const char* text, int& number)
 {
   char* end = nullptr;
@@ -103,7 +103,7 @@ bool ReadNumber(const char* text, int& number)
   return end != text && *end == '\0';
 }
 
-/// Median, what 95 in 100 stay below, greatest.
+/// Prints median, 95th percentile and maximum.
 void PrintErrors(std::vector<double>& errors)
 {
   std::sort(errors.begin(), errors.end());
@@ -111,8 +111,8 @@ void PrintErrors(std::vector<double>& errors)
     errors.back());
 }
 
-/// The light of all posts as published: evenly spread azimuths, and a table of 15 normal angles by
-/// 256 horizon angles for each; red, green and blue together.
+/// The light of all posts by the published method: evenly spaced azimuths, and for each a table of
+/// 15 angles of the normal by 256 angles of the horizon. The sum of red, green and blue.
 std::vector<double> PublishedLight(const Terrain& terrain, const OwnedMap& map, int count,
   const std::vector<float>& east, const std::vector<float>& north)
 {
@@ -227,8 +227,9 @@ void Measure(const Terrain& terrain, const NamedMap& named)
   }
 }
 
-/// Even azimuths against ones placed by the horizons of every other post, and by each post's own; errors of
-/// the posts between, under a uniform sky.
+/// Compares evenly spaced azimuths with azimuths that are placed by the horizons of every other
+/// post, or by those of each post, under a uniform sky. The errors are those of the posts in
+/// between.
 void MeasurePlaced(const Terrain& terrain)
 {
   std::vector<AzimuthLight> lights;

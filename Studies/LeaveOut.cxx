@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a scene does not need and does not get: which passes run when nothing, the light, the camera or
-// the terrain moves. Writes the table of Documentation/leave-out.md, or compares the counts in it.
+// Counts the passes that run if nothing, the light, the camera or the terrain changes. Writes the
+// tables of Documentation/leave-out.md, or checks the counts in them.
 //   SkylineLeaveOut --write FILE [SIZE]   SkylineLeaveOut --check FILE
 #include "Measure.h"
 #include "SceneImage.h"
@@ -30,7 +30,7 @@ namespace
 using namespace skyline::benchmark;
 
 constexpr int Azimuths = 32;
-constexpr int SmallSize = 64; // counts do not depend on it
+constexpr int SmallSize = 64; // the counts do not depend on it
 const char* const Begin = "<!-- SkylineLeaveOut writes from here -->";
 const char* const End = "<!-- to here -->";
 
@@ -46,7 +46,7 @@ void Count(vtkObject*, unsigned long, void* executions, void*)
   ++*static_cast<int*>(executions);
 }
 
-// Frames of one scene.
+// The frames of one scene.
 class Show
 {
 public:
@@ -91,7 +91,8 @@ public:
   void MoveCamera() { this->Camera->Azimuth(10.0); }
   void MoveTerrain() { SetHeights(this->Image, MovingTerrain(this->Size, 1.0)); }
 
-  // A row of the table from the filter's executions on, and how long the frame took.
+  // A row of the table with the executions of the filter since the last row. milliseconds: the time
+  // of the frame.
   std::string Frame(double& milliseconds)
   {
     this->Executions = 0;
@@ -162,7 +163,7 @@ std::string MakeTables(std::ptrdiff_t size)
   for (const bool harmonics : { false, true })
   {
     const std::vector<Row> rows = MakeRows(harmonics, size);
-    double whole = 0.0; // all lights, nothing known
+    double whole = 0.0; // all lights, without stored results
     for (const Row& row : rows)
     {
       whole = row.Counts.rfind("| all | first frame |", 0) == 0 ? row.Milliseconds : whole;
@@ -191,7 +192,7 @@ std::string Read(const std::string& file)
   const std::string read = text.str();
   if (read.find(Begin) == std::string::npos || read.find(End) == std::string::npos)
   {
-    throw std::runtime_error(file + " has no place for the tables");
+    throw std::runtime_error(file + " has no mark where the tables begin");
   }
   return read;
 }
@@ -218,7 +219,7 @@ int Check(const std::string& file)
       wrong += found == std::string::npos ? 1 : 0;
       if (found == std::string::npos)
       {
-        std::cerr << file << " does not say: " << row.Counts
+        std::cerr << file << " does not contain: " << row.Counts
                   << (harmonics ? " (harmonics)" : " (tables)") << "\n";
         continue;
       }

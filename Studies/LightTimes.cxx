@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Not a test: prints the times in Documentation/irradiance.md and shadow-height.md, as comma-separated
-// values. CPU seconds of all threads; the frame is a whole filter, from heights to its array.
+// Prints the times in Documentation/irradiance.md and shadow-height.md as comma-separated values.
+// Times are CPU seconds of all threads. A frame is a whole filter, from heights to its array.
 //
 //   SkylineLightTimes [largest side in posts, default 1024] [largest on the graphics processor, default 512]
 #include "Reference/FieldImage.h"
@@ -32,7 +32,7 @@ double CpuSeconds()
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// A dim sky with a sun of half a degree, 1e5 times its mean.
+/// A dim sky with a sun of half a degree and 1e5 times the mean radiance.
 vtkSmartPointer<vtkImageData> SunnySky()
 {
   constexpr int columns = 1024, rows = 512;
@@ -88,7 +88,7 @@ void OnHost(const char* scene, vtkImageData* image, int azimuths)
   Print("environment", scene, side, azimuths, environment);
 }
 
-/// The published sweeps, and shadow heights; with a device those of the GPU too.
+/// Measures the published sweeps and shadow heights, with a device also on the graphics processor.
 void Sweeps(
   const char* scene, vtkImageData* image, int azimuths, vtkOpenGLHeightFieldDevice* device)
 {
@@ -128,7 +128,7 @@ int main(int argc, char** argv)
 {
   const int largest = argc > 1 ? std::atoi(argv[1]) : 1024;
   const int most = argc > 2 ? std::atoi(argv[2]) : 512;
-  std::printf("what,scene,posts a side,azimuths,CPU seconds,ns a post and azimuth\n");
+  std::printf("what,scene,posts per side,azimuths,CPU seconds,ns per post and azimuth\n");
   vtkNew<vtkOpenGLHeightFieldDevice> device;
   const bool there = device->IsAvailable();
   for (int side = 256; side <= largest; side *= 2)
@@ -151,7 +151,7 @@ int main(int argc, char** argv)
   {
     OnHost("fractal", image, largest < 512 ? 8 : azimuths);
   }
-  // What a frame is made of: on a field of 16 x 16 posts the tables are all of it.
+  // The parts of a frame: on a field of 16 x 16 posts, the tables take all of the time.
   const auto tiny = ImageOf<vtkFloatArray>(shapes::Fractal(16, 16, 30.0, 1500.0, 7));
   for (const int azimuths : { 16, 128 })
   {

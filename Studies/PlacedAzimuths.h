@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Azimuths placed where horizons vary: an experiment. Light here is that of a uniform sky.
+// An experiment: azimuths that are placed where horizons vary. The light is that of a uniform sky.
 #ifndef skyline_PlacedAzimuths_h
 #define skyline_PlacedAzimuths_h
 
@@ -16,10 +16,11 @@ namespace skyline
 namespace testing
 {
 
-/// Light of a uniform sky from each of many even azimuths, over the mean of all.
+/// The light of a uniform sky in each of many evenly spaced azimuths, divided by their mean.
 using AzimuthLight = std::vector<double>;
 
-/// What a level or tilted post gets from an azimuth of a uniform sky above elevation `horizon`.
+/// The light that a level or tilted post gets in one azimuth of a uniform sky, above the elevation
+/// `horizon`.
 inline double UniformLight(double horizon, double azimuth, double east, double north)
 {
   const double rise = east * std::sin(azimuth) + north * std::cos(azimuth);
@@ -29,8 +30,9 @@ inline double UniformLight(double horizon, double azimuth, double east, double n
     std::sqrt(1.0 + east * east + north * north);
 }
 
-/// Numbers of `count` azimuths of the given posts' light: half of them even, then the interval is halved
-/// whose ends differ most, by the mean over the posts times its width, again and again.
+/// Chooses `count` azimuths for the light of the given posts. Half of them are evenly spaced. Then
+/// the interval is halved whose ends differ most (the mean over the posts times the width), and so
+/// on.
 inline std::vector<std::size_t> PlaceAzimuths(
   const std::vector<const AzimuthLight*>& posts, std::size_t count)
 {
@@ -68,7 +70,8 @@ inline std::vector<std::size_t> PlaceAzimuths(
   return azimuths;
 }
 
-/// The relative error of a post's light, each azimuth standing for half way to its neighbours; percent.
+/// The relative error of the light of a post in percent, if each azimuth represents the range
+/// halfway to its neighbours.
 inline double PlacedError(const AzimuthLight& light, const std::vector<std::size_t>& azimuths)
 {
   const auto all = static_cast<double>(light.size());

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws what SkylineLightTimes prints: cost against posts and against azimuths, as one SVG.
+"""Draws the output of SkylineLightTimes: time by posts and by azimuths, as one SVG.
 
     build/bin/SkylineLightTimes 8192 > times.csv
     python3 Studies/PlotLightTimes.py times.csv cost.svg
@@ -8,14 +8,14 @@ import csv
 import math
 import sys
 
-WIDTH, HEIGHT, GAP = 380.0, 300.0, 64.0  # of a panel, pixels
-# Okabe and Ito's colours: apart for the colour-blind too. Spikes are dashed.
+WIDTH, HEIGHT, GAP = 380.0, 300.0, 64.0  # of a panel, in pixels
+# The colours of Okabe and Ito, which colour-blind people can distinguish too. Spikes are dashed.
 COLORS = {"uniform": "#0072b2", "environment": "#d55e00", "sweep": "#e69f00", "shadow sweep": "#009e73",
           "shadow exact": "#cc79a7"}
 
 
 class Axis:
-    """A logarithmic axis from low to high over pixels from begin to end."""
+    """A logarithmic axis from low to high, between the pixels begin and end."""
 
     def __init__(self, low, high, begin, end):
         self.low, self.high, self.begin, self.end = low, high, begin, end
@@ -30,7 +30,7 @@ def text(x, y, words, anchor="middle", color="#222"):
 
 
 def apart(labels, least=12.0):
-    """Labels (y, words, color) pushed down until none lies on another."""
+    """Labels (y, words, color), moved down until they do not overlap."""
     placed = []
     for y, words, color in sorted(labels):
         placed.append((max(y, placed[-1][0] + least) if placed else y, words, color))
@@ -38,7 +38,7 @@ def apart(labels, least=12.0):
 
 
 def panel(left, title, across, up, ticks, lines):
-    """A chart: ticks are the values named on the axes, lines are (name, scene, points)."""
+    """A chart. Ticks are the labelled values of the axes; lines are (name, scene, points)."""
     top = 40.0
     x = Axis(*across, left, left + WIDTH)
     y = Axis(*up, top + HEIGHT, top)
@@ -62,8 +62,8 @@ def panel(left, title, across, up, ticks, lines):
 def main():
     source, target = sys.argv[1:]
     with open(source, encoding="utf-8") as file:
-        rows = [(row["what"], row["scene"], int(row["posts a side"]), int(row["azimuths"]),
-                 float(row["CPU seconds"]), float(row["ns a post and azimuth"]))
+        rows = [(row["what"], row["scene"], int(row["posts per side"]), int(row["azimuths"]),
+                 float(row["CPU seconds"]), float(row["ns per post and azimuth"]))
                 for row in csv.DictReader(file)]
     sides, azimuths = {}, {}
     for what, scene, side, count, seconds, cost in rows:
@@ -80,9 +80,9 @@ def main():
 
     largest = max(key[2] for key in sides)
     powers = [2 ** k for k in range(8, 1 + int(math.log2(largest)))]
-    parts = panel(50.0, "ns a post and azimuth, against posts a side", (256.0, largest), (5.0, 200.0),
+    parts = panel(50.0, "ns per post and azimuth, by side in posts", (256.0, largest), (5.0, 200.0),
                   (powers, (5, 10, 20, 50, 100, 200)), lines(sides))
-    parts += panel(50.0 + WIDTH + 140.0 + GAP, "ms of a frame of 512 x 512 posts, against azimuths",
+    parts += panel(50.0 + WIDTH + 140.0 + GAP, "ms of a frame of 512 x 512 posts, by azimuths",
                    (8.0, 128.0), (20.0, 2000.0), ((8, 16, 32, 64, 128), (20, 50, 100, 200, 500, 1000, 2000)),
                    lines(azimuths))
     with open(target, "w", encoding="utf-8") as file:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""CPU time of sky_view on an array over that of the class on an image: the least of five, one run."""
+"""CPU time of sky_view on an array, relative to the class on an image: the least of five runs."""
 
 import time
 

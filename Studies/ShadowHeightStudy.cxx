@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Not a test: prints what Documentation/shadow-height.md says. CPU time of one thread.
+// Prints the figures of Documentation/shadow-height.md. Times are CPU times of one thread.
 //
 //   SkylineShadowHeightStudy [largest side in posts, default 2048]
 #include "Reference/OracleTerrain.h"
@@ -39,7 +39,7 @@ std::unique_ptr<HorizonMethod> Make(int kind, const HeightField& posts, double s
   return MakeHorizonMethod(posts, {});
 }
 
-// Nanoseconds a post, everything included, the mean of the azimuths; the better of two runs.
+// Nanoseconds per post for everything, as the mean of the azimuths. The better of two runs.
 double Cost(int kind, const HeightField& posts, double slope)
 {
   const Grid& grid = posts.Posts();
@@ -91,7 +91,7 @@ void Times(const char* name, const oracle::OracleField& field)
   }
 }
 
-// What the published recurrence misses by, heights cut off at the ground.
+// The errors of the published recurrence. Shadow heights below the ground count as the ground.
 void Misses(const char* name, const oracle::OracleField& field, double elevation)
 {
   const HeightField posts = testing::FieldOf(field);
@@ -126,7 +126,7 @@ void Misses(const char* name, const oracle::OracleField& field, double elevation
 int main(int argc, char** argv)
 {
   const std::ptrdiff_t largest = argc > 1 ? std::atoi(argv[1]) : 2048;
-  std::printf("ns a post | side | elevation | published | exact | exact horizon\n");
+  std::printf("ns per post | side | elevation | published | exact | exact horizon\n");
   for (std::ptrdiff_t side = 256; side <= largest; side *= 2)
   {
     Times("fractal", shapes::Fractal(side, side, 30.0, 1500.0, 7));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Frame times of soft shadows split by pass, at the sizes of Snyder & Nowrouzezahrai 2008, table 1.
-// One core, CPU time. usage: SkylineSoftShadowTimes [largest size, default 1024]
+// Frame times of soft shadows, by pass, at the sizes of Snyder & Nowrouzezahrai (2008), table 1.
+// CPU time of one core. Usage: SkylineSoftShadowTimes [largest size, default 1024]
 #include "Harmonics/KeyLight.h"
 #include "Harmonics/VisibilityAccumulator.h"
 #include "HeightField/Normals.h"
@@ -36,7 +36,8 @@ struct Frame
   double Sum() const { return this->Build + this->Horizons + this->Wedges + this->Light; }
 };
 
-/// One light: horizons of some azimuths, their transfer, its dot product with three colours.
+/// One light: horizons in some azimuths, their transfer, and its product with the coefficients of
+/// three colours.
 Frame Shade(const HeightField& field, const HorizonSettings& settings, const Swath& swath,
   int azimuths, const std::vector<float>& east, const std::vector<float>& north)
 {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Angles and their sines to the rounding of floats, whatever the driver's own functions do.
+// Angles and their sines, correct to the rounding of floats. The driver's own functions are not
+// used, because their accuracy varies.
 //Fill::Pi
 //Fill::AngleTerms
 const float RightAngle = 0.5 * SkylinePi;
 
-// atan t, by the polynomial of AngleTerms, as FastMath-inl.h.
+// atan t, by the polynomial of AngleTerms, as in FastMath-inl.h.
 vec4 AngleOf(vec4 t)
 {
   vec4 size = abs(t);
@@ -19,7 +20,7 @@ vec4 AngleOf(vec4 t)
   return mix(low, RightAngle - low, greaterThan(size, vec4(1.0))) * sign(t);
 }
 
-// sin h and cos h for |h| up to 45 degrees: Taylor's series, 2e-9 and 2e-10 off.
+// sin h and cos h for |h| up to 45 degrees, by Taylor's series, with errors of 2e-9 and 2e-10.
 vec4 LowSine(vec4 h)
 {
   vec4 q = h * h;

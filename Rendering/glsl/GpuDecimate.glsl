@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A level of the pyramid from the finer one, bilinearly sampled: HeightPyramid::Decimate. A texel is
-// a height times its coverage, and the coverage. across, along: for every sample of an axis the two
-// finer ones and the weight of the second.
+// Computes a level of the pyramid from the next finer one by bilinear interpolation, as
+// HeightPyramid::Decimate does.
+// A texel holds a height times its coverage, and the coverage. across, along: for each sample of an
+// axis, the two finer samples and the weight of the second one.
 uniform sampler2D fine;
 uniform sampler2D across;
 uniform sampler2D along;

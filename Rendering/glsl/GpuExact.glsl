@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Horizons of one azimuth from every edge that a ray of a RayFrame meets: RayWalk-inl.h, walked in
-// full. Lines are rows or columns of the image, whichever the rays cross fastest.
+// Horizons in one azimuth from each edge that a ray of a RayFrame crosses: the walk of
+// RayWalk-inl.h, to the end of the data. Lines are rows or columns of the image, whichever the rays
+// cross faster.
 //
-// heights: a rectangle of posts, of edges within which the result is the horizon; receivers: those of
-// the tile.
-// steps: four texels a step, rowLength steps a row:
-//   lane of the trail post, 1 if the column of cells changes, weights of trail and lead; their sink,
-//   and near, far and sink between the lines; likewise left; likewise right.
+// heights: a rectangle of posts, whose edges are searched. receivers: the posts of the tile.
+// steps: four texels per step, rowLength steps per row:
+// 1. the lane of the trail post, 1 if the column of cells changes, the weights of trail and lead;
+// 2. their sink, then near, far and sink between the lines;
+// 3. the same on the left; 4. the same on the right.
 uniform sampler2D heights;
-uniform ivec2 place;     // the first of the posts in heights: column and row
-uniform ivec2 size;      // columns and rows there
+uniform ivec2 place;     // column and row of the first post in heights
+uniform ivec2 size;      // number of columns and rows in heights
 uniform sampler2D receivers;
 uniform sampler2D steps;
 uniform ivec2 tile;      // first post of the tile
 uniform int columns;     // 1: lines are columns
 uniform int forward;     // +1 or -1: the order of lines
-uniform int drift;       // +1 or -1: to where lanes drift
-uniform int against;     // 1: diagonals run against the drift
-uniform int first;       // the steps to walk
+uniform int drift;       // +1 or -1: the direction in which lanes drift
+uniform int against;     // 1: the diagonals run against the drift
+uniform int first;       // the range of steps
 uniform int last;
 uniform float linesPerMetre;
 uniform int channel;
@@ -34,7 +35,8 @@ vec4 Step(int d, int part)
 float best;
 float own; // the receiver's height
 
-// The post some lines ahead and some lanes aside, above the receiver.
+// The height of a post, relative to the receiver. The post lies some lines ahead and some lanes to
+// the side.
 float Post(ivec2 origin, int line, int lane)
 {
   ivec2 at = origin + (columns != 0 ? ivec2(forward * line, lane) : ivec2(lane, forward * line));
@@ -53,7 +55,8 @@ bool Complete(float a, float b, float c, float d)
   return min(min(a, b), min(c, d)) > 0.5 * Missing;
 }
 
-// Cell by cell: an edge between two cells is met from both, so it counts if either is complete.
+// The search goes cell by cell. It meets an edge between two cells from both of them, so the edge
+// counts if one of the two cells is complete.
 float Horizon(ivec2 post)
 {
   best = Missing;
@@ -61,7 +64,7 @@ float Horizon(ivec2 post)
   float sinkBefore = Step(first - 1, 1).x;
   float trailBefore = Post(post, first - 1, int(before.x));
   float leadBefore = Post(post, first - 1, int(before.x) + drift);
-  // No line beyond the rectangle.
+  // Lines beyond the rectangle are skipped.
   ivec2 from = post - place;
   int line = columns != 0 ? from.x : from.y;
   int lines = columns != 0 ? size.x : size.y;
@@ -69,7 +72,7 @@ float Horizon(ivec2 post)
   for (int d = first; d <= end; ++d)
   {
     vec4 row = Step(d, 0);
-    vec4 mid = Step(d, 1); // its sink, near, far, sink
+    vec4 mid = Step(d, 1); // their sink, near, far and sink between the lines
     int lane = int(row.x);
     float trail = Post(post, d, lane);
     float lead = Post(post, d, lane + drift);
@@ -100,7 +103,7 @@ float Horizon(ivec2 post)
     }
     if (row.w == 0.0)
     {
-      // A post that occludes has a complete cell beside it.
+      // A post that occludes is the corner of a complete cell.
       Edge(trail > 0.5 * Missing, row.z, trail, 0.0, trail, mid.x);
     }
     before = row;
@@ -117,7 +120,7 @@ void main()
   own = texelFetch(receivers, at, 0).x;
   float slope = own > 0.5 * Missing ? Horizon(at + tile) : Missing;
   slope = slope < NoEdge ? -1.0e18 : slope * linesPerMetre;
-  vec4 angles = vec4(-2.0 * RightAngle); // below every horizon: the other azimuths stay
+  vec4 angles = vec4(-2.0 * RightAngle); // below all horizons: leaves the other azimuths unchanged
   angles[channel] = AngleOf(vec4(slope)).x;
   gl_FragData[0] = angles * min(1.0, texCoord.x + 2.0);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// E = T . L: the coefficients of the transfer of a post, four an image, against those of a light.
-// light: for every image a vector of red, of green and of blue.
+// E = T . L: the product of the transfer coefficients of a post, four per image, and those of a
+// light.
+// light: for each image one vector each of red, of green and of blue.
 uniform vec4 light[48];
 //Fill::Images
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Horizons of four azimuths from the pyramid: HorizonPyramid.cxx. Snyder & Nowrouzezahrai 2008,
-// section 4. casters, receivers: heights of the levels at posts, times coverage, and the coverage.
-// reaches: three texels a level, one row an azimuth:
-//   posts to the caster (whole, whole, part, part), layer of the caster and of the receiver, 1 / metres
-//   to the caster, its sink as a slope; columns and rows of the receivers whose caster is in the data.
+// Horizons of four azimuths from the height pyramid, as in HorizonPyramid.cxx: Snyder &
+// Nowrouzezahrai (2008), section 4.
+// casters, receivers: heights of the levels at the posts, times coverage, and the coverage.
+// reaches: three texels per level, one row per azimuth:
+// 1. the offset to the caster in posts (whole column and row, then their fractional parts);
+// 2. the layers of the caster and of the receiver, 1 / distance to the caster (1/m), and its sink
+// as a slope;
+// 3. the columns and rows of the receivers whose casters lie in the data.
 uniform sampler3D casters;
 uniform sampler3D receivers;
 uniform sampler2D reaches;
@@ -36,7 +39,7 @@ bool Counts(vec2 here, vec2 there)
 }
 
 //Skyline::Slopes
-// The derivative of a level (equation 2), 0 where it is below or reads no terrain.
+// The derivative of a level (equation 2); 0 if it is negative or if no terrain is read.
 float Slope(int level, int azimuth, ivec2 at, vec2 here)
 {
   vec4 inside = texelFetch(reaches, ivec2(3 * level + 2, azimuth), 0);
@@ -61,7 +64,7 @@ float Slope(int level, int azimuth, ivec2 at, vec2 here)
 
 vec4 Slopes(int level, ivec2 at)
 {
-  float layer = texelFetch(reaches, ivec2(3 * level + 1, 0), 0).y; // the same in all azimuths
+  float layer = texelFetch(reaches, ivec2(3 * level + 1, 0), 0).y; // equal for all azimuths
   vec2 here = texelFetch(receivers, ivec3(at, int(layer)), 0).xy;
   return vec4(Slope(level, 0, at, here), Slope(level, 1, at, here), Slope(level, 2, at, here),
     Slope(level, 3, at, here));
@@ -79,8 +82,8 @@ vec4 Horizons(ivec2 at)
 }
 
 //Skyline::Spline
-// The greatest value at and halfway between the knots of the cubic b-spline through the angles of
-// the levels, its ends repeated (equations 4 and 5).
+// The greatest value, at the knots and halfway between them, of the cubic B-spline through the
+// angles of the levels. The first and the last angle are repeated (equations 4 and 5).
 vec4 Horizons(ivec2 at)
 {
   vec4 third = AngleOf(Slopes(0, at));

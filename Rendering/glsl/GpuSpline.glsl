@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A level of the pyramid at posts, along one axis: a cubic b-spline of four samples. taps: for every
-// post four weights, and above them the four samples.
+// Interpolates a level of the pyramid at posts, along one axis, by a cubic B-spline of four
+// samples.
+// taps: for each post the four weights, and in the row above the numbers of the four samples.
 uniform sampler2D samples;
 uniform sampler2D taps;
 uniform int vertical;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sky above four horizons as spherical harmonics, added to what is there: VisibilityAccumulator.
-// C++ writes the integrals from ElevationIntegral.h. horizons: four angles a post. weights: the sines
-// and the cosines of the four azimuths, then for every order m six texels of WedgeWeights. wholes: what
-// is there without horizons, for the parts of the normal up, east and north; counted if whole is 1.
+// Adds the sky above four horizons, as spherical harmonics, to the target: see
+// VisibilityAccumulator. C++ generates the integrals from ElevationIntegral.h.
+// horizons: four angles per post. weights: the sines and the cosines of the four azimuths, then six
+// texels of WedgeWeights for each order m. wholes: the sums without horizons, for the upward,
+// eastward and northward components of the normal; they are added if whole is 1.
 uniform sampler2D horizons;
 uniform sampler2D weights;
 uniform float whole;

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Timonen & Westerholm 2010, sections 4 and 5: HorizonSweep. One invocation a line; samples a post
-// apart, from the far end on, and the convex hull of those passed in a buffer, its top in registers.
-// Places in double precision: near samples of a far line must not move. C++ defines NoTerrain.
+// The line sweep of Timonen & Westerholm (2010), sections 4 and 5, as in HorizonSweep. Each
+// invocation follows one line. Its samples are one post apart and start at the far end. A buffer
+// holds the convex hull of the samples that were passed; the top of the hull is in registers.
+// Positions are in double precision, so that samples on long lines are placed exactly. C++ defines
+// NoTerrain.
 layout(local_size_x = 64) in;
-layout(r32f, binding = 0) uniform writeonly image2D slopes; // sample by line of this run
-layout(std430, binding = 0) buffer Hull { vec2 hull[]; };   // number of the sample, and height
+layout(r32f, binding = 0) uniform writeonly image2D slopes; // by sample and by line of this run
+layout(std430, binding = 0) buffer Hull { vec2 hull[]; };   // number of the sample, and its height
 uniform sampler2D heights;
 uniform ivec2 posts;
 uniform ivec2 lines; // the first of this run, and one past the last
 uniform int samples;
-uniform dvec2 origin;    // in posts: sample 0 of line 0,
-uniform dvec2 perSample; // and what the next sample,
-uniform dvec2 perLine;   // and the next line lie further
-uniform double begin;    // metres to sample 0, towards the azimuth
-uniform double spacing;  // metres between samples
+uniform dvec2 origin;    // position of sample 0 of line 0, posts
+uniform dvec2 perSample; // offset to the next sample, posts
+uniform dvec2 perLine;   // offset to the next line, posts
+uniform double begin;    // distance of sample 0 in the azimuth, metres
+uniform double spacing;  // distance between samples, metres
 uniform double sink;
 
 const float Missing = -1.0e30;
@@ -23,7 +25,7 @@ float SlopeBetween(vec2 from, vec2 to)
   return (to.y - from.y) / ((to.x - from.x) * float(spacing));
 }
 
-// Bilinear; Missing outside the data and in incomplete cells.
+// The bilinear height; Missing outside the data and in incomplete cells.
 float HeightAt(dvec2 place)
 {
   dvec2 whole = floor(place);
@@ -60,7 +62,7 @@ void main()
   for (int index = samples - 1; index >= 0; --index)
   {
     float height = HeightAt(start + double(index) * perSample);
-    float slope = uintBitsToFloat(0x7fc00000u); // no number
+    float slope = uintBitsToFloat(0x7fc00000u); // NaN
     if (height > 0.5 * Missing)
     {
       double place = begin + double(index) * spacing;

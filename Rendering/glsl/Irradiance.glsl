@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Baked light: the irradiance of every post.
+// Light that was computed before: the irradiance of each post.
 uniform sampler2D skylineIrradiance;
 
 vec3 SkylineIrradiance(vec2 post)

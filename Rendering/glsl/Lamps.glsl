@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Irradiance of up to four lamps at radiance 1, one a channel, times their radiances.
+// The irradiance of up to four lamps at radiance 1, one per channel, times the radiance of each
+// lamp.
 uniform sampler2D skylineLampTexture;
 uniform vec3 skylineLampRadiance[4];
 

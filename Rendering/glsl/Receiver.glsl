@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sun and sky on whatever stands or flies over a height field, by the shadow heights of its posts:
-// counterpart of vtkHeightFieldShadowReceiver (ShadowHeightPenumbra.h). The sky is nine functions of the normal, as if
-// nothing hid it. SKYLINE_NORMAL: 0 of the faces, 1 of the points, 2 none, as if turned to the sun.
+// Light of the sun and the sky on objects that stand or fly over a height field, from the shadow
+// heights of its posts: the counterpart of vtkHeightFieldShadowReceiver (see ShadowHeightPenumbra.h).
+// The light of the sky is the sum of nine functions of the normal, as if nothing hid the sky.
+// SKYLINE_NORMAL: 0 for the normals of the faces, 1 for those of the points, 2 for none, which is
+// lit as if it faced the sun.
 //Fill::Pi
-uniform sampler2D skylineShadow; // of the upper and the lower limb, metres above the base
+uniform sampler2D skylineShadow; // for the upper and the lower limb, metres above the base
 uniform vec2 skylinePosts;       // columns and rows
 uniform vec4 skylineDisc;        // elevation, 1 / radius, tangents of the upper and the lower limb
-uniform vec4 skylineFade;        // lit where nothing shades, penumbra depth, slack, 1: two limbs
+uniform vec4 skylineFade;        // part lit without shadow, penumbra depth, slack, 1: two limbs
 uniform vec3 skylineSunDirection;
-uniform vec3 skylineSun; // irradiance of a plane that faces it
+uniform vec3 skylineSun; // irradiance of a plane that faces the sun
 uniform vec4 skylineSky[9];
-in vec3 skylineWorldVSOutput; // metres, height above the base
+in vec3 skylineWorldVSOutput; // metres; z is the height above the base
 
 vec3 SkylineNormal()
 {
 #if SKYLINE_NORMAL == 2
   return skylineSunDirection;
 #else
-  // The side that is seen.
+  // The side that the viewer sees.
   vec3 face = normalize(cross(dFdx(skylineWorldVSOutput), dFdy(skylineWorldVSOutput)));
 #if SKYLINE_NORMAL == 1
   vec3 normal = normalize(skylineNormalVSOutput);
@@ -28,7 +30,7 @@ vec3 SkylineNormal()
 #endif
 }
 
-// The shadow heights over a place, linear in each triangle of the surface.
+// The shadow heights at a position, interpolated linearly in each triangle of the surface.
 bool SkylineShadows(vec2 post, out vec2 shadows)
 {
   vec2 place = post * skylinePosts - 0.5;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hands on what the vertex shader knows, where VTK draws edges and wide lines by a geometry shader.
+// Passes on the outputs of the vertex shader if VTK draws edges or wide lines with a geometry
+// shader.
 in vec3 skylineWorldVSOutput[];
 out vec3 skylineWorldGSOutput;
 //Skyline::Impl

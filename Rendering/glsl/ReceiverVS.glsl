@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a vertex lies in metres: rows of an affine map of (x, y, z, 1) in the vertex buffer. The parts
-// Points and PointsImpl are for meshes with normals.
+// The position of a vertex in metres: rows of an affine map of (x, y, z, 1) in the vertex buffer.
+// The parts Points and PointsImpl are for meshes with normals.
 uniform vec4 skylineWorldX;
 uniform vec4 skylineWorldY;
 uniform vec4 skylineWorldZ;

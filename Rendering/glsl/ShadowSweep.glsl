@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lee & Kim, section 3.1, equation 1 and its type 2: ShadowHeightSweep. Some lines a run, away from the
-// light; a work group keeps its stretch of a line in shared memory. Each line needs the neighbour
-// aside of the line before, so the stretch that is right gets a lane shorter with every line: groups
-// overlap by as many lanes as a run has lines.
+// The recurrence of Lee & Kim, section 3.1, equation 1 and its type 2, as in ShadowHeightSweep. A
+// run processes some lines, in the direction away from the light. Each work group keeps its section
+// of a line in shared memory.
+// A lane needs the neighbour to its side on the previous line, so the valid section shrinks by one
+// lane per line. Therefore the work groups overlap by as many lanes as a run has lines.
+// passed: the shadow heights that arrive, without the post's own height.
 layout(local_size_x = 256) in;
-layout(r32f, binding = 0) uniform writeonly image2D passed; // lane by line; before the post's own height
+layout(r32f, binding = 0) uniform writeonly image2D passed; // by lane and line
 layout(std430, binding = 0) readonly buffer Before { float before[]; }; // shadow heights by lane
 layout(std430, binding = 1) writeonly buffer After { float after[]; };
 uniform sampler2D heights;
 uniform int columns;  // 1: lines are columns of the image
-uniform int reversed; // 1: lines count from the far edge
-uniform int drift;    // +1 or -1: where the neighbour aside is
+uniform int reversed; // 1: lines are counted from the far edge
+uniform int drift;    // +1 or -1: the side of that neighbour
 uniform ivec2 size;   // lanes and lines
-uniform ivec2 lines;  // the first of this run, and one past the last: they go down
+uniform ivec2 lines;  // the first of this run, and one past the last; in descending order
 uniform float aside;
 uniform float fall;
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light on a Lambertian ground. What VTK would show unlit (colour, scalars, draped textures) is the
-// albedo. SKYLINE_COLOR, SKYLINE_ALBEDO and SKYLINE_DEVELOP say where codes become light and light
-// becomes codes: see vtkSkylineSoftShadowShader.cxx.
+// Light on a Lambertian ground. The albedo is the colour that VTK would show without light: the
+// colour of the actor, of its scalars, or of a draped texture. SKYLINE_COLOR, SKYLINE_ALBEDO and
+// SKYLINE_DEVELOP define where sRGB codes become light and light becomes codes: see
+// vtkSkylineSoftShadowShader.cxx.
 in vec2 skylinePostVSOutput;
-uniform float skylineGain; // exposure over pi
+uniform float skylineGain; // exposure divided by pi
 
 //Fill::Functions
 //Skyline::Color

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hands the place in the textures on, where VTK draws edges and wide lines by a geometry shader.
+// Passes on the texture coordinates if VTK draws edges or wide lines with a geometry shader.
 in vec2 skylinePostVSOutput[];
 out vec2 skylinePostGSOutput;
 //Skyline::Impl

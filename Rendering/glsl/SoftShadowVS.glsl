@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a vertex lies in the textures of the height field. Rows of an affine map of (x, y, z, 1) in
-// the vertex buffer to texture coordinates; //Skyline::Impl starts the lines of main.
+// The position of a vertex in the textures of the height field: rows of an affine map of (x, y, z,
+// 1) in the vertex buffer to texture coordinates. The part Impl contains the lines of main.
 uniform vec4 skylineAcross;
 uniform vec4 skylineUp;
 out vec2 skylinePostVSOutput;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sRGB codes of IEC 61966-2-1, as EncodeSrgb and DecodeSrgb of ToneMap.h.
+// The sRGB codes of IEC 61966-2-1, like EncodeSrgb and DecodeSrgb in ToneMap.h.
 vec3 SkylineDecode(vec3 code)
 {
   vec3 c = clamp(code, 0.0, 1.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// ToneMap of ToneMap.h; its constants come from there as defines.
+// The function ToneMap of ToneMap.h. Its constants are passed as defines.
 float SkylineToneCurve(float luminance)
 {
   float spread = SKYLINE_TONE_GREY * pow(luminance / SKYLINE_TONE_GREY, SKYLINE_TONE_CONTRAST);
@@ -10,7 +10,7 @@ float SkylineToneCurve(float luminance)
 
 vec3 SkylineToneMap(vec3 light)
 {
-  // Of NaN and a number, max and min may return either: compare.
+  // If one argument is NaN, min and max may return either argument. Therefore the code compares.
   vec3 c = mix(vec3(0.0), min(light, vec3(1.0e25)), greaterThan(light, vec3(0.0)));
   float before = dot(c, vec3(0.2126, 0.7152, 0.0722));
   if (!(before > 0.0))

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// E = T . L: 16 coefficients of the visibility times cosine of a post against those of the light.
-// skylineHarmonics: four textures of four coefficients; skylineLight: four vectors of red, of
-// green and of blue.
+// E = T . L: the product of the 16 transfer coefficients of a post (visibility times cosine) and
+// those of the light.
+// skylineHarmonics: four textures of four coefficients each. skylineLight: four vectors each of
+// red, of green and of blue.
 uniform sampler2D skylineHarmonics0;
 uniform sampler2D skylineHarmonics1;
 uniform sampler2D skylineHarmonics2;

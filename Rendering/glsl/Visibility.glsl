@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// E = integral of L V max(0, n.d), all three in 16 coefficients: the triple product, with the
-// light already folded into its tensor. The clamped cosine has nothing in band 3, so nine
-// functions of the normal remain: skylineLight holds for each of them four vectors of red, of
-// green and of blue. Snyder & Nowrouzezahrai 2008, section 2; Ramamoorthi & Hanrahan 2001, eq. 3.
+// E = integral of L V max(0, n.d), with 16 coefficients for each factor. C++ has already multiplied
+// the tensor of the triple product by the light.
+// A clamped cosine has no part in band 3, so nine functions of the normal remain. For each of them
+// skylineLight holds four vectors each of red, of green and of blue. Snyder & Nowrouzezahrai
+// (2008), section 2; Ramamoorthi & Hanrahan (2001), equation 3.
 uniform sampler2D skylineHarmonics0;
 uniform sampler2D skylineHarmonics1;
 uniform sampler2D skylineHarmonics2;
@@ -21,7 +22,7 @@ vec3 SkylineIrradiance(vec2 post)
   mat4 v = mat4(texture(skylineHarmonics0, post), texture(skylineHarmonics1, post),
     texture(skylineHarmonics2, post), texture(skylineHarmonics3, post));
   vec3 n = normalize(vec3(-texture(skylineGradient, post).xy, 1.0));
-  // The shapes of the functions of bands 0 to 2; their factors lie in skylineLight.
+  // The shapes of the functions of the bands 0 to 2. skylineLight includes their factors.
   float shape[9] = float[9](1.0, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3.0 * n.z * n.z - 1.0,
     n.x * n.z, n.x * n.x - n.y * n.y);
   vec3 light = vec3(0.0);

@@ -110,7 +110,7 @@ std::vector<float> Environment::Transferred(const Scene& scene) const
   return this->Series(scene,
     [&](const Light16& light)
     {
-      Light16 fitted{}; // the map is black below the horizon: its projection is that of the sky
+      Light16 fitted{}; // the map is black below the horizon, so it is projected as a sky
       FitLight(Swath(), 4, light.data(), fitted.data());
       return TransferShading(scene, ExactHorizons(scene), Swath(), SeriesAzimuths, fitted);
     });

@@ -13,25 +13,27 @@ namespace skyline
 namespace gallery
 {
 
-/// Blue above, a warm glow low in the west: a light map that gives level open ground an irradiance of
-/// `brightness` (luminance).
+/// Blue at the top and a warm glow low in the west: a light map under which level open ground has
+/// an irradiance of `brightness` (luminance).
 class Environment
 {
 public:
   explicit Environment(double brightness);
 
-  /// RGB a post from 96 azimuths of exact horizons, each row of the map integrated in closed form.
+  /// RGB per post, from 96 azimuths of exact horizons. Each row of the map is integrated in closed
+  /// form.
   std::vector<float> Direct(const Scene& scene) const;
 
-  /// RGB a post as SN08 and THESIS have it: visibility of 32 azimuths of the given horizons in wedges,
-  /// projected light, products of order 4.
+  /// RGB per post, by the method of SN08 and THESIS: the visibility in 32 azimuths of the given
+  /// horizons as wedges, the projected light, and products of order 4.
   std::vector<float> Published(const Scene& scene, const HorizonsAt& horizons) const;
 
-  /// RGB a post as Skyline has it: 32 exact horizons, TransferSH, light fitted above the horizon.
+  /// RGB per post, by Skyline's method: 32 exact horizons, TransferSH, and light that is fitted
+  /// above the horizon.
   std::vector<float> Transferred(const Scene& scene) const;
 
 private:
-  /// Shades colour by colour, the light projected.
+  /// Shades the posts for one colour after the other, with the projected light.
   std::vector<float> Series(
     const Scene& scene, const std::function<std::vector<float>(const Light16&)>& shade) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Snyder & Nowrouzezahrai 2008 (SN08), figures 3, 4, 6, 9 and 10.
+// Figures 3, 4, 6, 9 and 10 of Snyder & Nowrouzezahrai (2008), SN08.
 #include "KeyShading.h"
 #include "Reconstruction.h"
 #include "Sheet.h"
@@ -19,7 +19,8 @@ namespace
 
 constexpr double Degree = RadiansPerDegree;
 
-/// From the left of the picture; 20 degrees of swath are those of SN08's figure 4 (section 5).
+/// The light comes from the left of the picture. A swath of 20 degrees is that of SN08's figure 4
+/// (section 5).
 constexpr double LightAzimuth = 270.0 * Degree;
 constexpr double LightElevation = 35.0 * Degree;
 constexpr double LightSwath = 20.0 * Degree;
@@ -27,7 +28,7 @@ constexpr double LightSwath = 20.0 * Degree;
 constexpr int KeyAzimuths = 3; // SN08, table 1
 constexpr int DirectAzimuths = 64;
 
-/// Ends of the scales of colours, of the open light: errors, and creases.
+/// The ends of the colour scales of errors and of creases, relative to the open light.
 constexpr double FullScale = 0.25;
 constexpr double FullCrease = 0.005;
 
@@ -41,7 +42,7 @@ std::string Text(const char* format, double value)
   return text;
 }
 
-/// The paper's cone, its shadow to the right.
+/// The cone of the paper, with its shadow to the right.
 oracle::OracleField ConeScene(std::ptrdiff_t columns)
 {
   const double spacing = Metres / static_cast<double>(columns);
@@ -57,7 +58,8 @@ oracle::OracleField Hills(std::ptrdiff_t columns)
     columns, columns * 3 / 4, Metres / static_cast<double>(columns), 60.0, 4, 0.42);
 }
 
-/// Posts on level ground, all others within three posts likewise: no gradient of the cone's foot.
+/// Level posts whose neighbours within three posts are level too, so that the foot of the cone has
+/// no effect.
 std::vector<std::size_t> LevelPosts(const oracle::OracleField& field)
 {
   constexpr std::ptrdiff_t reach = 3;
@@ -83,8 +85,8 @@ std::vector<std::size_t> LevelPosts(const oracle::OracleField& field)
   return posts;
 }
 
-/// The five-point sum of second differences, a post apart, where the ground is level; 0 elsewhere. The
-/// eye sees it as lines (Mach bands).
+/// The sum of the second differences in both directions, one post apart, where the ground is level;
+/// 0 elsewhere. They are visible as lines (Mach bands).
 std::vector<float> Creases(const oracle::OracleField& field, const std::vector<float>& light)
 {
   const auto columns = static_cast<std::size_t>(field.Columns);
@@ -97,7 +99,8 @@ std::vector<float> Creases(const oracle::OracleField& field, const std::vector<f
   return creases;
 }
 
-/// The greatest change of light from south to north across level ground, of the open light a metre.
+/// The greatest change of the light from south to north on level ground, relative to the open
+/// light, per metre.
 double SteepestEdge(const oracle::OracleField& field, const std::vector<float>& light)
 {
   const auto columns = static_cast<std::size_t>(field.Columns);
@@ -119,7 +122,7 @@ std::vector<float> CutOff(std::vector<float> light)
   return light;
 }
 
-/// What a panel is measured against, and the row of its map.
+/// A reference for a panel, and the row of its map.
 struct Truth
 {
   const char* Name;
@@ -127,7 +130,7 @@ struct Truth
   std::size_t Row;
 };
 
-/// Fills a figure of one scene, one panel after the other: a view and, below, maps.
+/// Fills a figure of one scene, one panel after the other: each has a view and maps below it.
 class Study
 {
 public:
@@ -143,7 +146,7 @@ public:
     this->View.From.Filled = 0.99;
   }
 
-  /// `light` in units of the open light.
+  /// light: in units of the open light.
   void Add(
     const std::string& setting, const std::vector<float>& light, const std::vector<Truth>& truths)
   {
@@ -182,7 +185,7 @@ private:
     return this->Room.Draw(this->Terrain.Truth, Grey(light), this->View);
   }
 
-  /// Below the view added last.
+  /// Adds a map below the view that was added last.
   void AddMap(
     std::size_t row, const std::string& caption, const std::vector<float>& values, double full)
   {
@@ -202,7 +205,7 @@ private:
   Look View;
 };
 
-/// A disc and its shading by the paper's method and by others, the open light being 1.
+/// A disc, and its shading by the method of the paper and by others. The open light is 1.
 class DiscLight
 {
 public:
@@ -245,8 +248,8 @@ public:
     return { { "exact horizons", this->Exact, 1 }, { "direct", this->Whole, 2 } };
   }
 
-  /// The last panels of every figure: what of the error is not the horizons', what Skyline does by
-  /// default, and the truth.
+  /// Adds the last panels of each figure: exact horizons (the part of the error that is not
+  /// theirs), Skyline's default, and the reference.
   void AddLimits(Study& study, bool creases) const
   {
     study.Add("exact horizons", this->Exact, { { "direct", this->Whole, 2 } });
@@ -266,7 +269,7 @@ private:
   std::vector<float> Whole, Exact;
 };
 
-/// A figure whose panels differ in their horizons alone.
+/// A setting of a figure whose panels differ only in their horizons.
 struct Setting
 {
   std::string Name;
@@ -286,7 +289,7 @@ Figure Compare(Studio& studio, const Scale& scale, const Scene& scene, const std
   if (creases)
   {
     figure.Rows.push_back({ "creases on level ground (map): sum of second differences of the "
-                            "irradiance, a post apart; full colour at 0.5 % of the open light",
+                            "irradiance, one post apart; full colour at 0.5 % of the open light",
       {} });
   }
   Study study(studio, scale, figure, scene);
@@ -312,7 +315,7 @@ Figure LevelSteps(Studio& studio, const Scale& scale)
   {
     settings.push_back({ Text("k = %.0f", k), PyramidHorizons(scene, k, 2.0) });
   }
-  return Compare(studio, scale, scene, "SN08, figure 3: levels an octave k of the pyramid (o = 2)",
+  return Compare(studio, scale, scene, "SN08, figure 3: levels per octave k of the pyramid (o = 2)",
     settings, true);
 }
 
@@ -359,7 +362,7 @@ Figure Swaths(Studio& studio, const Scale& scale)
   constexpr int azimuths = 32;
   Figure figure;
   figure.Title =
-    "SN08, figure 6: swath of the peakiest light of order 4 (k = 4, o = 2, 32 azimuths)";
+    "SN08, figure 6: swath of the most concentrated light of order 4 (k = 4, o = 2, 32 azimuths)";
   figure.Rows = { PanelRow{ "irradiance", {} },
     PanelRow{ "error against direct integration of the same light (map): red too bright, blue too "
               "dark; full colour at 25 % of the open light",
@@ -377,7 +380,7 @@ Figure Swaths(Studio& studio, const Scale& scale)
       PublishedUnit(peak, swath, azimuths)));
     study.Add(Text("swath %g degrees", degrees), shading, { { "direct", truth, 1 } });
     figure.Numbers.push_back({ Text("swath %g degrees", degrees),
-      "steepest edge, % of the open light a metre", 100.0 * SteepestEdge(scene.Truth, shading) });
+      "steepest edge, % of the open light per metre", 100.0 * SteepestEdge(scene.Truth, shading) });
     narrowest = truth;
   }
   study.Add("direct, 11.25 degrees", narrowest, {});

@@ -22,10 +22,11 @@ namespace
 constexpr int Bands = 4;
 constexpr std::size_t Count = 16;
 
-/// Normals tried for the brightest one, from level to upright: half a degree apart.
+/// Number of normals, half a degree apart, among which the brightest one is searched, from level to
+/// vertical.
 constexpr int Tilts = 180;
 
-/// The series of the clamped cosine around the normal of a plane with a gradient.
+/// The coefficients of the clamped cosine around the normal of a plane with the given gradient.
 Light16 CosineOf(double east, double north)
 {
   double zonal[Bands];
@@ -90,7 +91,7 @@ std::vector<float> PublishedVisibility(
   std::size_t posts, const HorizonsAt& horizons, const Swath& swath, int azimuths)
 {
   const double width = swath.Width / azimuths;
-  static WedgeTables tables; // one thread makes the figures
+  static WedgeTables tables; // only one thread draws the figures
   const std::shared_ptr<const WedgeTable> table = tables.Get(Bands, width);
   const std::vector<double> middles = AzimuthsOf(swath, azimuths);
   std::vector<double> sums(Count * posts, 0.0);
@@ -240,11 +241,12 @@ std::vector<float> DirectShading(const Scene& scene, const KeyLight& light, int 
   std::vector<double> sums(scene.East.size(), 0.0);
   for (int k = 0; k < azimuths; ++k)
   {
-    // Azimuths at the sines of even steps: the chords shrink like a circle's.
+    // The azimuths are at the sines of even steps, so that the chords become shorter as in a
+    // circle.
     const double turn = Pi * ((k + 0.5) / azimuths - 0.5);
     const double offset = half * std::sin(turn);
     const double weight = half * std::cos(turn) * Pi / azimuths;
-    const DiscChord chord = ChordOfDisc(disc, offset); // elevations from the disc's centre
+    const DiscChord chord = ChordOfDisc(disc, offset); // relative to the disc's centre
     const double bottom = light.Elevation + chord.Low, top = light.Elevation + chord.High;
     const double azimuth = light.Azimuth + offset;
     const std::vector<float> low = horizons(azimuth);
@@ -259,7 +261,7 @@ std::vector<float> DirectShading(const Scene& scene, const KeyLight& light, int 
       {
         continue;
       }
-      // Of (up sin u + ahead cos u) cos u.
+      // The integral of (up sin u + ahead cos u) cos u.
       const auto whole = [&](double u)
       { return 0.5 * (up * std::sin(u) * std::sin(u) + ahead * (u + std::sin(u) * std::cos(u))); };
       sums[post] += weight * (whole(top) - whole(from));

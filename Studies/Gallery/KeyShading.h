@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light from afar on every post: as Snyder & Nowrouzezahrai 2008 (SN08) publish it, as Skyline's filters
-// do, and by direct integration. Elevations and azimuths in radians.
+// Distant light on each post: by the published method of Snyder & Nowrouzezahrai (2008), SN08; by
+// Skyline's filters; and by direct integration. Elevations and azimuths are in radians.
 #ifndef skyline_KeyShading_h
 #define skyline_KeyShading_h
 
@@ -19,10 +19,10 @@ namespace gallery
 
 using Scene = testing::LampScene;
 
-/// Order 4 throughout, as in the paper.
+/// The order is 4 everywhere, as in the paper.
 using Light16 = std::array<double, 16>;
 
-/// Elevations of the horizons of all posts in an azimuth, 0 or more.
+/// Returns the elevations of the horizons of all posts in an azimuth, 0 or more.
 using HorizonsAt = std::function<std::vector<float>(double azimuth)>;
 
 HorizonsAt HorizonsOf(const Scene& scene, const HorizonSettings& settings);
@@ -30,32 +30,34 @@ HorizonsAt ExactHorizons(const Scene& scene);
 HorizonsAt PyramidHorizons(
   const Scene& scene, double levelStep, double levelOffset, bool spline = true);
 
-/// SN08's total visibility, 16 coefficients a post: wedges with linear horizons from its tables, and
-/// at the ends of a partial swath the boundary wedges.
+/// The total visibility of SN08, 16 coefficients per post: wedges with linear horizons from the
+/// tables of SN08, and the boundary wedges at the ends of a partial swath.
 std::vector<float> PublishedVisibility(
   std::size_t posts, const HorizonsAt& horizons, const Swath& swath, int azimuths);
 
-/// SN08's shading: the product of the truncated series of visibility and clamped cosine, times the
-/// light. Not cut off at 0.
+/// The shading of SN08: the product of the truncated series of visibility and of the clamped
+/// cosine, times the light. It can be negative.
 std::vector<float> PublishedShading(
   const Scene& scene, const std::vector<float>& visibility, const Light16& light);
 
-/// The light scaled until what PublishedShading makes of it is at most 1 in the open, over all
-/// normals in the vertical plane through the swath's middle.
+/// Scales the light so that the result of PublishedShading without terrain is at most 1, for all
+/// normals in the vertical plane through the middle of the swath.
 Light16 PublishedUnit(const Light16& light, const Swath& swath, int azimuths);
 
-/// Irradiance with visibility times cosine integrated (TransferSH). For a light that is its own
-/// series this is direct integration, up to the number of azimuths.
+/// The irradiance with the integral of visibility times cosine (TransferSH). If the light is equal
+/// to its series, this is direct integration, up to the number of azimuths.
 std::vector<float> TransferShading(const Scene& scene, const HorizonsAt& horizons,
   const Swath& swath, int azimuths, const Light16& light);
 
-/// The light scaled likewise for TransferShading.
+/// Scales the light for TransferShading in the same way.
 Light16 TransferUnit(const Light16& light, const Swath& swath);
 
-/// Irradiance of a key light of radiance 1 by integration over its disc above exact horizons.
+/// The irradiance from a key light with radiance 1, by integration over its disc above exact
+/// horizons.
 std::vector<float> DirectShading(const Scene& scene, const KeyLight& light, int azimuths);
 
-/// The light with all its energy in one direction, as far as order 4 can: SN08's "peakiest".
+/// A light whose energy is as concentrated in one direction as order 4 allows: the "peakiest" light
+/// of SN08.
 Light16 PeakLight(double azimuth, double elevation);
 
 } // namespace gallery

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The thesis on local lights (THESIS), figures 6.1 to 6.5.
+// Figures 6.1 to 6.5 of the thesis on local lights (THESIS).
 #include "Environment.h"
 #include "LampShading.h"
 #include "Reference/ThesisScenes.h"
@@ -20,28 +20,28 @@ namespace
 {
 
 constexpr int Posts = 256;        // THESIS, figures 6.3 to 6.5
-constexpr int SwathCount = 32;    // likewise
-constexpr double LevelStep = 4.0; // likewise
+constexpr int SwathCount = 32;    // as in these figures
+constexpr double LevelStep = 4.0; // as in these figures
 constexpr int PictureWidth = 204, PictureHeight = 166;
 
-/// Azimuths whose number no longer matters.
+/// So many azimuths that more of them make no difference.
 constexpr int ManyAzimuths = 128;
 
-/// Ends of the scales of colours, of the scene's root mean square irradiance: errors, and differences
-/// from what more azimuths or levels would give.
+/// The ends of the colour scales of errors, and of differences from more azimuths or levels.
+/// Relative to the root mean square irradiance of the scene.
 constexpr double FullScale = 0.25;
 constexpr double FullRest = 0.03;
 
-/// Irradiance of the sky at dusk, of a bright post's by lamps.
+/// The irradiance of the sky at dusk, relative to that of a bright post under the lamps.
 constexpr double SkyPart = 0.35;
 
-/// Without lamps, the irradiance that is shown as white, of level open ground's.
+/// Without lamps: the irradiance that appears white, relative to that of level open ground.
 constexpr double SkyAlone = 2.5;
 
 constexpr std::array<float, 3> Colors[] = { { { 1.0f, 0.80f, 0.55f } }, { { 0.70f, 0.88f, 1.0f } },
   { { 1.0f, 0.62f, 0.50f } } };
 
-using Region = std::array<double, 4>; // as Look's
+using Region = std::array<double, 4>; // as in Look
 
 std::string Percent(double value)
 {
@@ -82,7 +82,7 @@ double RootMeanSquare(const std::vector<float>& values)
   return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
-/// What nine posts of ten stay below.
+/// The 90th percentile of the values.
 double Bright(std::vector<float> values)
 {
   const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
@@ -90,10 +90,10 @@ double Bright(std::vector<float> values)
   return static_cast<double>(*place);
 }
 
-/// The posts of a region.
+/// A region of posts.
 struct Part
 {
-  std::ptrdiff_t West, East, South, North; // of the posts beyond: East and North
+  std::ptrdiff_t West, East, South, North; // East and North: one past the last post
 
   Part(const Grid& posts, const Region& region)
     : West(0)
@@ -123,14 +123,14 @@ struct Part
   }
 };
 
-/// What a picture shows: errors, and a map of them, in one region of the scene.
+/// The errors in one region of a scene, and a map of them.
 struct Comparison
 {
   Errors Error;
   Picture Map;
 };
 
-/// found, truth: RGB; in units of the root mean square of `whole`, luminances of the scene.
+/// found, truth: RGB. The errors of their luminances are in units of `unit`.
 Comparison Compare(const Scene& scene, const Region& region, const std::vector<float>& found,
   const std::vector<float>& truth, double unit, double full, int side)
 {
@@ -151,12 +151,12 @@ const char* const MapLabel =
   "error against direct integration (map): red too bright, blue too dark; "
   "full colour at 25 % of the rms irradiance";
 
-/// Figures 6.1 and 6.2: the largest cone but one of cones v2 from straight above, its shadow away from
-/// the lamp.
+/// The scene of figures 6.1 and 6.2: the second largest cone of cones v2, from above, with its
+/// shadow away from the lamp.
 class ConeDetail
 {
 public:
-  /// `limit` names what the panels tend to.
+  /// limit: the name of the result to which the panels converge.
   ConeDetail(Studio& studio, const Scale& scale, Figure& figure, const char* limit)
     : Room(studio)
     , Sheet(figure)
@@ -171,7 +171,7 @@ public:
     this->View.From.Elevation = 90.0;
     this->View.From.Filled = 1.0;
     this->View.Region = Cone;
-    // Brighter than the whole scene wants: shadows are what is looked at.
+    // Brighter than the whole scene requires, because the shadows are shown.
     this->View.Exposure = std::log2(2.0 * Pi / Bright(LuminanceOf(this->Truth)));
     this->Sheet.Rows = { PanelRow{ "irradiance, seen from above", {} },
       PanelRow{ std::string("difference from ") + limit +
@@ -226,7 +226,7 @@ private:
 Figure Azimuths(Studio& studio, const Scale& scale)
 {
   Figure figure;
-  figure.Title = "THESIS, figure 6.1: number of azimuths (order 4, 4 levels an octave)";
+  figure.Title = "THESIS, figure 6.1: number of azimuths (order 4, 4 levels per octave)";
   ConeDetail detail(studio, scale, figure, "128 azimuths");
   const std::vector<float> many = detail.Harmonics(ManyAzimuths, LevelStep);
   for (const int azimuths : { 4, 8, 16, 32 })
@@ -240,7 +240,7 @@ Figure Azimuths(Studio& studio, const Scale& scale)
 Figure Steps(Studio& studio, const Scale& scale)
 {
   Figure figure;
-  figure.Title = "THESIS, figure 6.2: levels an octave (order 4, 32 azimuths, level offset 4)";
+  figure.Title = "THESIS, figure 6.2: levels per octave (order 4, 32 azimuths, level offset 4)";
   ConeDetail detail(studio, scale, figure, "exact horizons");
   const std::vector<float> exact = detail.Harmonics(SwathCount, 0.0);
   for (const int step : { 1, 2, 3, 4 })
@@ -251,7 +251,7 @@ Figure Steps(Studio& studio, const Scale& scale)
   return figure;
 }
 
-/// A picture of figures 6.3 to 6.5.
+/// A picture of the figures 6.3 to 6.5.
 struct Shot
 {
   const char* Caption;
@@ -270,7 +270,7 @@ Standpoint From(double azimuth, double elevation)
   return from;
 }
 
-/// A scene in its light.
+/// A scene with its light.
 struct LitScene
 {
   explicit LitScene(const testing::ThesisScene& source)
@@ -279,9 +279,9 @@ struct LitScene
   }
   Scene Terrain;
   std::vector<ColoredLamp> Lamps;
-  std::vector<float> Found, Truth; // RGB: as in the thesis, and by direct integration
-  std::vector<float> Transferred;  // RGB of a sky alone as Skyline has it
-  double Level = 1.0;              // a bright post's irradiance
+  std::vector<float> Found, Truth; // RGB: by the method of the thesis, and by direct integration
+  std::vector<float> Transferred;  // RGB of a sky alone, by Skyline's method
+  double Level = 1.0;              // the irradiance of a bright post
 };
 
 std::unique_ptr<LitScene> Light(const Scale& scale, const Shot& shot)
@@ -346,7 +346,7 @@ void Take(Studio& studio, const Scale& scale, const Shot& shot, const LitScene& 
   figure.Rows[0].Panels.push_back(
     { shot.Caption, studio.Draw(lit.Terrain.Truth, lit.Found, look) });
   figure.Rows[1].Panels.push_back({ "", studio.Draw(lit.Terrain.Truth, lit.Truth, look) });
-  Picture wide(look.Width, look.Height, 255); // as the pictures above it
+  Picture wide(look.Width, look.Height, 255); // as wide as the pictures above it
   Paste(wide, found.Map, (look.Width - found.Map.Width) / 2, 0);
   figure.Rows[2].Panels.push_back({ "rms " + Percent(found.Error.Rms), std::move(wide) });
 }

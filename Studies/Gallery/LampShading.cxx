@@ -16,7 +16,7 @@ namespace gallery
 namespace
 {
 
-constexpr double LevelOffset = 4.0; // THESIS, captions of figures 6.3 to 6.5
+constexpr double LevelOffset = 4.0; // THESIS, captions of the figures 6.3 to 6.5
 constexpr vtkIdType RowsAtOnce = 8;
 
 Lamp LampOf(const Scene& scene, const ColoredLamp& colored)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light of lamps on every post: by direct integration, and by harmonics as THESIS has it.
+// The light of lamps on each post: by direct integration, and by harmonics as in THESIS.
 #ifndef skyline_LampShading_h
 #define skyline_LampShading_h
 
@@ -21,15 +21,16 @@ struct ColoredLamp
   std::array<float, 3> Radiance;
 };
 
-/// RGB a post, summed over the lamps.
+/// RGB per post, the sum over the lamps.
 std::vector<float> DirectLamps(const Scene& scene, const std::vector<ColoredLamp>& lamps);
 
-/// Likewise in order 4. levelStep: of the pyramid for the horizons in front of the lamp, at THESIS's
-/// level offset of 4; 0: exact horizons. The product is the thesis's, of three truncated series.
+/// The same by harmonics of order 4, as the product of three truncated series of the thesis.
+/// levelStep: that of the pyramid for the horizons in front of the lamp, with the level offset 4 of
+/// THESIS; 0: exact horizons.
 std::vector<float> HarmonicLamps(
   const Scene& scene, const std::vector<ColoredLamp>& lamps, int azimuths, double levelStep);
 
-/// Luminance of every post.
+/// The luminance of each post.
 std::vector<float> LuminanceOf(const std::vector<float>& rgb);
 
 } // namespace gallery

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Figures of SN08, THESIS, SHM and TW10, each as a sheet of pictures, with its errors against direct
-// integration.
+// Draws figures of SN08, THESIS, SHM and TW10, each as a sheet of pictures, and prints their errors
+// against direct integration.
 #include "Sheet.h"
 #include "Studio.h"
 
@@ -17,7 +17,7 @@ namespace
 
 using namespace skyline::gallery;
 
-/// What ctest takes for a test that could not run.
+/// The exit code that tells ctest that a test could not run.
 constexpr int Skipped = 77;
 
 void Print(const std::string& name, const Figure& figure)
@@ -61,14 +61,14 @@ int main(int argc, char** argv)
   {
     names.push_back(maker.Name);
   }
-  CLI::App app("Makes the papers' figures and prints their errors, in per cent of the open light "
+  CLI::App app("Makes the papers' figures and prints their errors, in percent of the open light "
                "(SN08) or of the root mean square irradiance (THESIS, TW10)");
   std::string folder;
   std::vector<std::string> wanted;
   Scale scale;
   app.add_option("-o,--output", folder, "Folder for the pictures")->required();
   app.add_option("--figure", wanted, "Only these figures")->check(CLI::IsMember(names));
-  app.add_flag("--quick", scale.Quick, "Small fields and pictures, to see that all works");
+  app.add_flag("--quick", scale.Quick, "Small fields and pictures, to test the program");
   CLI11_PARSE(app, argc, argv);
 
   Studio studio;

@@ -24,11 +24,11 @@ namespace gallery
 namespace
 {
 
-// Linear light of the ends of the scale of differences.
+// The ends of the colour scale of differences, in linear light.
 constexpr std::array<double, 3> TooBright{ { 0.75, 0.01, 0.02 } };
 constexpr std::array<double, 3> TooDark{ { 0.01, 0.08, 0.70 } };
 
-constexpr int Dpi = 72; // a point of the font is a pixel
+constexpr int Dpi = 72; // makes a point of the font one pixel
 
 bool DrawText(const std::string& text, int size, vtkImageData* image, std::array<int, 2>& drawn)
 {
@@ -72,7 +72,7 @@ void WriteText(Picture& picture, const std::string& text, int x, int y, int size
   {
     return;
   }
-  // The pixels lie around the anchor at (0, 0): below it what hangs under the line.
+  // The pixels are relative to the anchor at (0, 0). Descenders lie below it.
   std::array<int, 6> extent{};
   image->GetExtent(extent.data());
   for (int j = extent[2]; j <= extent[3]; ++j)

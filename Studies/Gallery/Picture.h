@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A picture of sRGB codes, and what a sheet of pictures needs.
+// A picture of sRGB codes, and the functions that a sheet of pictures needs.
 #ifndef skyline_Picture_h
 #define skyline_Picture_h
 
@@ -12,7 +12,7 @@ namespace skyline
 namespace gallery
 {
 
-/// Rows from the bottom up, three codes a pixel.
+/// Rows from bottom to top, three codes per pixel.
 struct Picture
 {
   int Width = 0, Height = 0;
@@ -35,23 +35,24 @@ struct Picture
   }
 };
 
-/// Lays `part` with its lower left corner at (x, y); what would stick out is left off.
+/// Copies `part` into the picture, with its lower left corner at (x, y). Parts outside the picture
+/// are omitted.
 void Paste(Picture& picture, const Picture& part, int x, int y);
 
-/// Writes a line of black text with the lower left corner of its letters' box at (x, y). `size` in
-/// pixels; where VTK has no fonts, nothing is written.
+/// Writes a line of black text, with the lower left corner of its bounding box at (x, y). size:
+/// pixels. Writes nothing if VTK has no fonts.
 void WriteText(Picture& picture, const std::string& text, int x, int y, int size);
 
-/// Its width in pixels.
+/// The width of the text in pixels.
 int TextWidth(const std::string& text, int size);
 
-/// A map in the picture's size of `values` (columns x rows, row by row from the south), white at 0,
-/// red at `full` and above, blue at -`full` and below; north is up. Pixels are means of what they
-/// cover, or the nearest value where there are more of them.
+/// A map of `values` (columns x rows, row by row from the south) with the given size: white at 0,
+/// red at `full` and above, blue at -`full` and below. North is up. A pixel is the mean of the
+/// values that it covers, or the nearest value if there are more pixels than values.
 Picture DifferenceMap(
   const std::vector<float>& values, int columns, int rows, double full, int width, int height);
 
-/// False, where the file cannot be written.
+/// Returns false if the file cannot be written.
 bool WritePng(const Picture& picture, const std::string& path);
 
 } // namespace gallery

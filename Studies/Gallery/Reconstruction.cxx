@@ -15,7 +15,8 @@ namespace gallery
 namespace
 {
 
-/// The four samples of an axis that a place (in posts) reads; two of them for a line between two.
+/// The four samples of an axis that are read at a position (in posts). Linear interpolation uses
+/// two of them.
 SplineTaps TapsOf(double place, double scale, std::ptrdiff_t samples, Across across)
 {
   if (across == Across::Spline && scale > 1.0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pyramid's horizons with other reconstructions than Skyline has: SN08, figure 9.
+// Horizons of the pyramid with reconstructions that Skyline does not offer: SN08, figure 9.
 #ifndef skyline_Reconstruction_h
 #define skyline_Reconstruction_h
 
@@ -10,21 +10,21 @@ namespace skyline
 namespace gallery
 {
 
-/// How heights between the samples of a level are found.
+/// The interpolation of heights between the samples of a level.
 enum class Across
 {
   Bilinear,
-  Spline ///< bicubic b-spline
+  Spline ///< bicubic B-spline
 };
 
-/// How angles between the levels are found.
+/// The interpolation of angles between the levels.
 enum class Along
 {
-  Linear, ///< its greatest value is that of a level
-  Spline  ///< cubic b-spline at and halfway between the levels
+  Linear, ///< the greatest value is that of a level
+  Spline  ///< cubic B-spline, evaluated at the levels and halfway between them
 };
 
-/// Plain loops; every height is reconstructed where it is read, from the level's own samples.
+/// Simple loops: each height is interpolated where it is read, from the samples of the level.
 HorizonsAt ReconstructedHorizons(
   const Scene& scene, double levelStep, double levelOffset, Along along, Across across);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lee & Kim (SHM): things in the shadow of the terrain, and things that cast one. Timonen & Westerholm
-// 2010 (TW10), figure 8: lights of three sizes in a map.
+// Lee & Kim (SHM): objects in the shadow of the terrain, and objects that cast a shadow. Timonen &
+// Westerholm (2010), TW10, figure 8: lights of three sizes in a light map.
 #include "Sheet.h"
 #include "Sky/LightMap.h"
 #include "Studio.h"
@@ -37,14 +37,14 @@ namespace
 
 constexpr double Degree = RadiansPerDegree;
 
-// Dusk: the sun low in the west, and the sky that is left.
+// Dusk: the sun is low in the west, and the sky is dim.
 constexpr double SunAzimuth = 255.0, SunElevation = 9.0;
 constexpr std::array<double, 3> SunLight{ { 4.6, 2.7, 1.3 } };
 constexpr std::array<double, 3> SkyLight{ { 0.20, 0.26, 0.40 } };
 
 constexpr double Metres = 360.0; // width of the valley
 
-/// A valley with a ridge in the west, hilly all over; smooth where the village stands.
+/// A hilly valley with a ridge in the west, smooth where the village stands.
 oracle::OracleField Valley(std::ptrdiff_t columns)
 {
   const double spacing = Metres / static_cast<double>(columns);
@@ -65,7 +65,7 @@ oracle::OracleField Valley(std::ptrdiff_t columns)
   return field;
 }
 
-/// Bilinear height at a place in metres.
+/// The bilinear height at a position in metres.
 double HeightAt(const oracle::OracleField& field, double x, double y)
 {
   const double u = x / field.SpacingX, v = y / field.SpacingY;
@@ -75,7 +75,7 @@ double HeightAt(const oracle::OracleField& field, double x, double y)
     t * ((1.0 - s) * field.At(column, row + 1) + s * field.At(column + 1, row + 1));
 }
 
-/// Polygons that are put together corner by corner.
+/// Polygons, built corner by corner.
 class Mesh
 {
 public:
@@ -103,7 +103,8 @@ private:
   vtkNew<vtkCellArray> Faces;
 };
 
-/// A house with a gable roof, turned by an angle; half sizes in metres, down to below the ground.
+/// A house with a gable roof, turned by an angle. Sizes are half lengths in metres; the walls begin
+/// below the ground.
 void AddHouse(Mesh& mesh, double x, double y, double ground, double turn)
 {
   constexpr double length = 7.0, width = 4.5, eaves = 5.0, ridge = 8.5, cellar = 3.0;
@@ -124,7 +125,7 @@ void AddHouse(Mesh& mesh, double x, double y, double ground, double turn)
   }
 }
 
-/// Three rows of houses that leave the shadow of the ridge one after the other.
+/// Three rows of houses, which leave the shadow of the ridge one after the other.
 vtkSmartPointer<vtkPolyData> Village(const oracle::OracleField& field)
 {
   Mesh mesh;
@@ -142,7 +143,7 @@ vtkSmartPointer<vtkPolyData> Village(const oracle::OracleField& field)
   return mesh.Get();
 }
 
-/// An aircraft of 60 m: a body, wings, a tail; it points along +x.
+/// An aircraft of 60 m with a body, wings and a tail, which points along +x.
 vtkSmartPointer<vtkPolyData> Aircraft()
 {
   Mesh mesh;
@@ -197,7 +198,7 @@ vtkSmartPointer<vtkActor> ActorOf(vtkPolyData* mesh, vtkHeightFieldShadowHeight*
   return actor;
 }
 
-/// The ground of a field in the light of another one of the same size, which may hold houses.
+/// The ground of a field in the light of another field of the same size, which may include houses.
 vtkSmartPointer<vtkActor> GroundOf(
   vtkImageData* ground, vtkImageData* occluders, double exposure, vtkPoints* points)
 {
@@ -254,7 +255,7 @@ Figure Dusk(Studio& studio, const Scale& scale)
   look.From.Elevation = 30.0;
   look.Width = scale.Pixels(520);
   look.Height = scale.Pixels(270);
-  look.From.Filled = 1.45; // the corners of the field need not be seen
+  look.From.Filled = 1.45; // the corners of the field may lie outside
   const struct
   {
     const char* Label;
@@ -279,8 +280,8 @@ Figure Dusk(Studio& studio, const Scale& scale)
   return figure;
 }
 
-/// A light map with a dim sky and a disc of the given radius, which always gives a plane that faces
-/// it the same irradiance.
+/// A light map with a dim sky and a disc of the given radius. A plane that faces the disc has the
+/// same irradiance for all radii.
 vtkSmartPointer<vtkImageData> MapWithLight(double radius)
 {
   constexpr int columns = 720, rows = 360;
@@ -292,7 +293,7 @@ vtkSmartPointer<vtkImageData> MapWithLight(double radius)
   radiance->SetNumberOfComponents(3);
   radiance->SetNumberOfTuples(static_cast<vtkIdType>(columns) * rows);
   image->GetPointData()->SetScalars(radiance);
-  // Rows of the image count from the nadir.
+  // The rows of the image begin at the nadir.
   const auto direction = [&](double column, double row)
   {
     const double a = (column / columns - 0.5) * 2.0 * Pi;
@@ -302,7 +303,7 @@ vtkSmartPointer<vtkImageData> MapWithLight(double radius)
   };
   const std::array<double, 3> centre{ { std::cos(elevation) * std::sin(azimuth),
     std::cos(elevation) * std::cos(azimuth), std::sin(elevation) } };
-  constexpr int inside = 4; // places each way in a pixel
+  constexpr int inside = 4; // samples per pixel in each direction
   std::vector<double> cover(static_cast<std::size_t>(columns) * rows, 0.0);
   double whole = 0.0;
   for (int row = 0; row < rows; ++row)

@@ -17,7 +17,7 @@ constexpr int TitleSize = 15;
 constexpr int TextSize = 12;
 constexpr int TitleHeight = 26;
 constexpr int LineHeight = 20;
-constexpr int Base = 6; // of letters, from the lower edge of their line
+constexpr int Base = 6; // pixels from the lower edge of a line to its letters
 
 } // namespace
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A figure: rows of captioned pictures, and the errors that belong to them.
+// A figure: rows of pictures with captions, and their errors.
 #ifndef skyline_Sheet_h
 #define skyline_Sheet_h
 
@@ -14,14 +14,14 @@ namespace skyline
 namespace gallery
 {
 
-/// Differences of irradiance in units of the open light: root of the mean square, what 95 % of the
-/// posts stay below, the largest.
+/// Differences of irradiance in units of the open light: root mean square, 95th percentile, and
+/// maximum.
 struct Errors
 {
   double Rms = 0.0, Most = 0.0, Largest = 0.0;
 };
 
-/// Of found - truth, both as multiples of `unit`.
+/// The errors of found - truth, both in units of `unit`.
 Errors ErrorsOf(
   const std::vector<float>& found, const std::vector<float>& truth, double unit = 1.0);
 
@@ -33,7 +33,7 @@ struct Measurement
   Errors Error;
 };
 
-/// A number that is no error, e.g. how sharp a shadow is.
+/// A number that is not an error, for instance the sharpness of a shadow.
 struct Number
 {
   std::string Setting;
@@ -49,7 +49,7 @@ struct Panel
 
 struct PanelRow
 {
-  std::string Label; ///< what the row shows, written above it
+  std::string Label; ///< description of the row, written above it
   std::vector<Panel> Panels;
 };
 
@@ -61,13 +61,13 @@ struct Figure
   std::vector<Number> Numbers;
 };
 
-/// All of a figure on one white sheet.
+/// The whole figure on one white sheet.
 Picture SheetOf(const Figure& figure);
 
-/// How large to make a figure.
+/// The size at which a figure is made.
 struct Scale
 {
-  bool Quick = false; ///< fields of a quarter of the posts' side, small pictures: for tests
+  bool Quick = false; ///< for tests: fields with a quarter of the posts per side, small pictures
   int Posts(int full) const { return this->Quick ? full / 4 : full; }
   int Pixels(int full) const { return this->Quick ? full / 3 : full; }
 };
@@ -76,17 +76,18 @@ class Studio;
 
 struct FigureMaker
 {
-  std::string Name; ///< of the figure and, with .png, of its file
+  std::string Name; ///< name of the figure; its file has the extension .png
   std::function<Figure(Studio&, const Scale&)> Make;
 };
 
-/// SN08's figures 3, 4, 6, 9 and 10.
+/// Figures 3, 4, 6, 9 and 10 of SN08.
 std::vector<FigureMaker> KeyFigures();
 
-/// THESIS's figures 6.1 to 6.5.
+/// Figures 6.1 to 6.5 of THESIS.
 std::vector<FigureMaker> LampFigures();
 
-/// SHM's figures of houses and of an aircraft in the shadow of the terrain, and TW10's figure 8.
+/// The figures of SHM with houses and an aircraft in the shadow of the terrain, and figure 8 of
+/// TW10.
 std::vector<FigureMaker> ShadowFigures();
 
 } // namespace gallery

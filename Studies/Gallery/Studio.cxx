@@ -33,7 +33,7 @@ namespace gallery
 namespace
 {
 
-constexpr int Samples = 3; // of a pixel, along either side
+constexpr int Samples = 3; // per pixel, in each direction
 constexpr double Paper = 0.95, GroundColor = 0.93;
 
 vtkSmartPointer<vtkImageData> ImageOf(
@@ -57,7 +57,7 @@ vtkSmartPointer<vtkImageData> ImageOf(
   return image;
 }
 
-/// The points of the mesh that the picture is to hold.
+/// The points of the mesh that must be in the picture.
 vtkSmartPointer<vtkPoints> PointsIn(vtkPoints* points, const std::array<double, 4>& region)
 {
   if (region[0] >= region[1])
@@ -97,7 +97,7 @@ vtkSmartPointer<vtkActor> ActorOf(const Bulb& bulb)
   return actor;
 }
 
-/// Means of Samples x Samples codes, in linear light.
+/// The means of Samples x Samples codes, computed in linear light.
 Picture Reduced(vtkUnsignedCharArray* samples, int width, int height)
 {
   Picture picture(width, height, 0);
@@ -190,7 +190,7 @@ Picture Studio::Draw(
   this->Window->RemoveRenderer(renderer);
   if (samples->GetNumberOfValues() != 3 * static_cast<vtkIdType>(width) * height)
   {
-    throw std::runtime_error("OpenGL gave no picture back");
+    throw std::runtime_error("OpenGL returned no picture");
   }
   return Reduced(samples, look.Width, look.Height);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the terrain of a figure is drawn in its light.
+// Draws the terrain of a figure with its light.
 #ifndef skyline_Studio_h
 #define skyline_Studio_h
 
@@ -25,36 +25,37 @@ namespace skyline
 namespace gallery
 {
 
-/// A lamp's glowing ball in the picture, linear colour.
+/// The glowing ball of a lamp in the picture, in linear colour.
 struct Bulb
 {
   oracle::Ball Ball;
   std::array<double, 3> Color{ { 1.0, 1.0, 1.0 } };
 };
 
-/// How a terrain is looked at.
+/// The view of a terrain.
 struct Look
 {
   Standpoint From;
   int Width = 240, Height = 180;
   double Exposure = 0.0; ///< stops
-  /// West, east, south and north ends of what the picture is to hold, metres; equal: all.
+  /// The western, eastern, southern and northern limits of the part in the picture, metres. Equal
+  /// limits stand for the whole terrain.
   std::array<double, 4> Region{ {} };
   std::vector<Bulb> Bulbs;
 };
 
-/// Draws with vtkSkylineSoftShadowPolyDataMapper in a window that nobody sees.
+/// Draws with vtkSkylineSoftShadowPolyDataMapper in an off-screen window.
 class Studio
 {
 public:
-  /// False, with the reason, where there is no OpenGL.
+  /// Returns false, and the reason, if there is no OpenGL.
   bool Open(std::string& reason);
 
-  /// The white terrain under an irradiance (three floats a post, pi: fully lit).
+  /// Draws the white terrain with an irradiance (three floats per post; pi is full light).
   Picture Draw(
     const oracle::OracleField& terrain, const std::vector<float>& irradiance, const Look& look);
 
-  /// Actors, from where the points are in the picture.
+  /// Draws actors, from a position at which the points are in the picture.
   Picture Draw(
     const std::vector<vtkSmartPointer<vtkActor>>& actors, vtkPoints* inside, const Look& look);
 
@@ -62,7 +63,7 @@ private:
   vtkSmartPointer<vtkRenderWindow> Window;
 };
 
-/// The same value for red, green and blue.
+/// Uses the same value for red, green and blue.
 std::vector<float> Grey(const std::vector<float>& light);
 
 } // namespace gallery

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Watches how many times faster the search is than its peers, and says so loudly when that drops.
+"""Records how many times faster the search is than other programs, and reports when it becomes slower.
 
     CheckRatios.py PROGRAM EXPECTED.json FOLDER
 
-Measures in one quick run, writes FOLDER/ratios.json, and FOLDER/ratio-drops.txt with a line for
-every ratio below the expected one by more than the band (empty when all is well). A drop fails
-nothing, for a busy machine is no fault of the program; what fails is a program that does not
-measure. Ratios that could not be measured (no Embree) are not compared.
+Measures in one quick run. Writes FOLDER/ratios.json, and FOLDER/ratio-drops.txt with one line for each
+ratio that is below the expected one by more than the band (empty if there is none). A drop is not a
+failure, because the machine may be busy; a program that does not measure is one. Ratios that could
+not be measured (without Embree) are not compared.
 """
 import json
 import os
@@ -14,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 
-# Two runs on a machine that others load differ by less than this factor.
+# Two runs on a machine with other load differ by less than this factor.
 BAND = 2.5
 
 COMMAND = ["--scenes", "hills,walls", "--sizes", "256", "--quantities", "horizon", "--methods",
@@ -22,7 +22,7 @@ COMMAND = ["--scenes", "hills,walls", "--sizes", "256", "--quantities", "horizon
 
 
 def drops(measured, expected):
-    """Lines for ratios that have dropped out of the band."""
+    """Returns one line for each ratio that is below its band."""
     found = {(ratio["name"], ratio["scene"]): ratio["times"] for ratio in measured}
     lines = []
     for ratio in expected:
@@ -34,7 +34,7 @@ def drops(measured, expected):
 
 
 def self_test():
-    """The comparison finds a drop, and nothing else."""
+    """Checks that the comparison finds a drop, and nothing else."""
     was = [{"name": "a", "scene": "s", "times": 10.0}, {"name": "b", "scene": "s", "times": 1.0}]
     for times, expected in [(10.0, 0), (10.0 / BAND + 0.1, 0), (10.0 / BAND - 0.1, 1), (99.0, 0)]:
         now = [{"name": "a", "scene": "s", "times": times}]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""skyline benchmark: the page, its figures, and that a stopped or failed run leaves nothing."""
+"""skyline benchmark: the page, its figures, and that a stopped or failed run leaves no files."""
 import csv
 import html.parser
 import json
@@ -13,12 +13,13 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import Program
 from Program import ToolTest, UTM10, hills, make
 
-# Seconds from the signal to the end: measurements are killed at once, truths notice soon.
+# Seconds from the signal to the end: measurements are killed at once, references stop soon
+# afterwards.
 SOON = 10.0
 
 
 class Page(html.parser.HTMLParser):
-    """Collects what a page loads from elsewhere, its charts and its text."""
+    """Collects the external resources of a page, its charts and its text."""
 
     def __init__(self, text):
         super().__init__()
@@ -41,7 +42,7 @@ class Page(html.parser.HTMLParser):
 
 
 def beaten(findings):
-    """Of sweep and pyramid: how many exact or fast beats, and how many there are."""
+    """How many measurements of sweep and pyramid exact or fast beats, and how many there are."""
     def place(finding):
         time = finding["wall_median_ns" if finding["quantity"] == "threads" else "cpu_median_ns"]
         return time, finding["wrong_percent" if finding["quantity"] == "sun" else "rmse"]
@@ -74,7 +75,7 @@ class Benchmark(ToolTest):
                          ["index.html", "pareto.svg", "results.csv", "results.json"])
         page = Page(self.read("report", "index.html"))
         self.assertEqual([name for name in page.loads if name != ("a", "href")], [],
-                         "a page for itself")
+                         "a page without external resources")
         self.assertEqual(page.open, [], "every element is closed")
         self.assertEqual(page.charts, 4)
         for words in ["my hills", "cone", "'my hills.tif'", "exact over every crossing",
@@ -87,7 +88,7 @@ class Benchmark(ToolTest):
             self.assertEqual((row["label"], row["scene"]), (finding["label"], finding["scene"]))
             self.assertEqual(row["rmse"], "" if "rmse" not in finding
                              else "%.9g" % finding["rmse"])
-        # What the page says of the front follows from the figures.
+        # The text of the page must agree with the figures.
         self.assertIn("beats %d of the %d measurements of sweep" % tuple(beaten(session["findings"])),
                       page.text)
         found = {(f["quantity"], f["scene"], f["label"]): f for f in session["findings"]}
@@ -110,7 +111,7 @@ class Benchmark(ToolTest):
         self.assertLess(found["sky", "exact 36"]["rmse"], 0.01)
         self.assertLess(found["irradiance", "exact 64"]["rmse"], 1.0)
         self.assertLess(found["irradiance", "SH 4, exact"]["rmse"], 10.0)
-        # 1024 rays of the truth leave 1 / sqrt(1024) of a penumbra.
+        # 1024 rays of the reference have an error of 1 / sqrt(1024) of a penumbra.
         self.assertLess(found["lamp", "lamp, 32 planes"]["rmse"], 3.0)
 
     def test_peers_are_given_the_same_sun(self):
@@ -126,16 +127,16 @@ class Benchmark(ToolTest):
         for peer in ["GRASS r.sun", "SAGA hillshade", "gdaldem hillshade", "Embree"]:
             if ("beam", peer) in ran:
                 with self.subTest(peer=peer):
-                    # Another sun, another slope or an atmosphere would err by tens of per cent
-                    # everywhere; a shadow's rim is a few posts, and gdaldem has no shadows.
+                    # Another sun or slope, or an atmosphere, would change all posts by tens of
+                    # percent. The edge of a shadow is a few posts, and gdaldem has no shadows.
                     self.assertLess(abs(ran["beam", peer]["bias"]), 10.0)
                     self.assertLess(ran["beam", peer]["wrong_percent"], 12.0)
                     self.assertGreater(ran["beam", peer]["floats_per_post"], 0.0)
         if ("lamp", "Embree 1024") in ran:
-            # Two draws of 1024 rays.
+            # Two random samples of 1024 rays.
             self.assertLess(ran["lamp", "Embree 1024"]["rmse"], 3.0)
         if ("sky", "GRASS r.sun, diffuse") in ran:
-            # A cone hides little from the level around it.
+            # A cone hides little of the sky of the level ground around it.
             self.assertLess(ran["sky", "GRASS r.sun, diffuse"]["rmse"], 0.1)
 
     def test_no_time_is_said(self):
@@ -147,7 +148,7 @@ class Benchmark(ToolTest):
         self.assertEqual(page.open, [])
         session = json.loads(self.read("report", "results.json"))
         self.assertEqual(session["findings"], [])
-        # The main setting of every method comes before further values of a parameter.
+        # The main setting of each method comes before other values of its parameter.
         labels = [task["label"] for task in session["left_out"]]
         self.assertLess(labels.index("pyramid"), labels.index("pyramid k=2"))
         self.assertLess(labels.index("GRASS r.sun"), labels.index("exact 180"))
@@ -175,14 +176,14 @@ class Benchmark(ToolTest):
     def test_interrupted_leaves_nothing(self):
         os.mkdir(self.path("temporary"))
         environment = dict(os.environ, TMPDIR=self.path("temporary"))
-        # The middle of a truth, and of measurements.
+        # In the middle of a reference, and of the measurements.
         for options, wait in [(["--sizes", "2048"], 3.0), (["--sizes", "256"], 4.0)]:
             with self.subTest(options=options):
                 running = subprocess.Popen(
                     [Program.PROGRAM, "benchmark", "-o", "report", "--scenes", "hills", *options],
                     stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.folder,
                     env=environment)
-                begun = time.monotonic()  # on a busy machine a program takes seconds to start
+                begun = time.monotonic()  # on a busy machine a program starts in seconds
                 while not os.path.isdir(self.path("report")) and time.monotonic() < begun + 60.0:
                     time.sleep(0.05)
                 time.sleep(wait)

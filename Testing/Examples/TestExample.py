@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the examples of an idea as Documentation/examples.md writes them and looks at what they wrote.
+"""Runs the examples of an idea as Documentation/examples.md writes them, and checks their output.
 
     TestExample.py IDEA SOURCE BIN OUTPUT PROGRAM...
 
-Each program's picture is checked by numbers taken from it, it is the one that the page shows, and that of
-the other language.
+The picture of each program is checked by numbers taken from it, and compared with the picture of the
+page and with that of the other language.
 """
 
 import os
@@ -17,15 +17,15 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
-SKIPPED = 77  # what an example returns where there is no OpenGL
-DRIFT = 4.0  # sRGB codes, mean: another OpenGL has other edges, a changed light is far more
-# The same calls from two languages: only what numpy and C++ compute themselves may round apart, by a
-# code, and a contour line's or an edge's pixel by much.
+SKIPPED = 77  # the exit code of an example without OpenGL
+DRIFT = 4.0  # sRGB codes, mean: the edges of another OpenGL differ by less, another light by far more
+# The two languages make the same calls. The values that numpy and C++ compute themselves may round
+# differently, by one code, and pixels of contour lines or edges by more.
 ROUNDED, OTHER_PIXELS = 1.0, 1e-3
 
 
 def read(file):
-    """(rows, columns, channels), row 0 the top."""
+    """(rows, columns, channels), where row 0 is the top."""
     reader = vtkPNGReader()
     reader.SetFileName(file)
     reader.Update()
@@ -48,7 +48,7 @@ def command_of(name):
 
 
 def run(command):
-    """Runs a line of the page in OUTPUT."""
+    """Runs a line of the page in the folder OUTPUT."""
     environment = dict(os.environ, dem=os.path.join(SOURCE, "Testing/Data/dem/SainteHelens.tif"),
                        maps=os.path.join(SOURCE, "Testing/Data/light-maps"))
     command = command.replace("build/bin/", f"{BIN}/").replace(" Examples/", f" {SOURCE}/Examples/")
@@ -77,7 +77,7 @@ def check_sun_over_a_day(picture, said):
     rows, columns = picture.shape[0] // 2, picture.shape[1] // 4
     frames = [grey(picture)[rows * (k // 4):rows * (k // 4 + 1), columns * (k % 4):columns * (k % 4 + 1)]
               for k in range(8)]
-    # Beside the summit lies its shadow: in the west in the morning, in the east in the evening.
+    # The shadow lies beside the summit: in the west in the morning, in the east in the evening.
     west, east = (slice(85, 125), slice(20, 60)), (slice(85, 125), slice(105, 135))
     for morning, evening in [(1, 7), (2, 6)]:
         assert frames[morning][west].mean() < frames[morning][east].mean() - 10.0
@@ -143,7 +143,7 @@ for program in PROGRAMS:
         shown = read(os.path.join(page, IDEA.replace("_", "-") + ".png"))
     assert shown.shape == picture.shape, (shown.shape, picture.shape)
     drift = np.abs(shown - picture).mean()
-    assert drift < DRIFT, f"{written} is {drift:.1f} codes from the picture of the page: make it anew"
+    assert drift < DRIFT, f"{written} is {drift:.1f} codes from the picture of the page: make a new one"
     pictures.append(picture)
 
 for other in pictures[1:]:

@@ -37,7 +37,7 @@ void LogCall(const char* what, const char* name) noexcept
     ::syscall(SYS_openat, AT_FDCWD, log, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (file >= 0)
   {
-    (void)::syscall(SYS_write, file, line, length); // one write: lines of threads do not mix
+    (void)::syscall(SYS_write, file, line, length); // one write per line: threads do not mix
     (void)::syscall(SYS_close, file);
   }
   errno = before;

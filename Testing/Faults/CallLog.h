@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A log of what a program asked the system for: files that it opened, places that it wanted to reach.
+// A log of the files that a program opens and of the network addresses that it tries to reach.
 #ifndef skyline_CallLog_h
 #define skyline_CallLog_h
 
@@ -8,8 +8,8 @@ namespace skyline
 namespace testing
 {
 
-/// Appends "WHAT NAME" as a line to the file named by SKYLINE_CALL_LOG; nothing without that variable.
-/// Calls the kernel alone, so that it may stand inside any call that it tells of.
+/// Appends the line "WHAT NAME" to the file that SKYLINE_CALL_LOG names; does nothing without that
+/// variable. Uses system calls only, so that it can be called inside any function that it logs.
 void LogCall(const char* what, const char* name) noexcept;
 
 } // namespace testing

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Takes the place of the calls that lead out of the machine, in a program that is linked with it or that
-// loads it first: each is logged and refused. Nothing leaves, and a test can ask whether anything tried.
+// Replaces the functions that open network connections, in a program that is linked with this file
+// or that preloads it. Each call is logged and refused, so that tests can check whether a program
+// tried to connect.
 #include "CallLog.h"
 
 #include <cerrno>
@@ -14,7 +15,8 @@
 #include <sys/socket.h>
 #include <sys/un.h>
 
-// Under names of their own for the compiler, for headers declare these calls in many ways.
+// The compiler sees these functions under other names, because system headers declare them in
+// different ways.
 #define SKYLINE_INSTEAD_OF(name) __asm__(name) __attribute__((visibility("default")))
 
 extern "C"

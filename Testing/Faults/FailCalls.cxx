@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Preloaded into any program (LD_PRELOAD), makes one chosen call of the system fail: FaultPlan.h says which.
-// Linux and the GNU C library alone.
+// Preloaded into a program (LD_PRELOAD), this library makes one chosen system call fail: see
+// FaultPlan.h. Works only on Linux with the GNU C library.
 #include "CallLog.h"
 #include "FaultPlan.h"
 
@@ -33,8 +33,8 @@ Function* Original(const char* name)
 
 } // namespace
 
-// The function `name` of the C library, under a name of ours for the compiler: headers declare these in
-// many ways. Inside, `next` is the library's own.
+// Defines the function `name` of the C library. The compiler sees it under another name, because
+// system headers declare it in different ways. Inside it, `next` is the function of the C library.
 #define SKYLINE_INSTEAD_OF(result, name, parameters)                                               \
   extern "C" __attribute__((visibility("default")))                                                \
   result Skyline_##name parameters __asm__(#name);                                                 \
@@ -51,7 +51,8 @@ Function* Original(const char* name)
     return Next(Call::kind) == Fault::None ? next arguments : failure;                             \
   }
 
-// Opening, by a path that is logged. On Linux a third argument stands where a variable one would.
+// Functions that open a file; the path is logged. On Linux a third parameter can stand for the
+// variable arguments.
 #define SKYLINE_FAIL_OPEN(result, failure, name, parameters, arguments)                            \
   SKYLINE_INSTEAD_OF(result, name, parameters)                                                     \
   {                                                                                                \
@@ -72,7 +73,7 @@ SKYLINE_FAIL_OPEN(FILE*, nullptr, fopen, (const char* path, const char* mode), (
 SKYLINE_FAIL_OPEN(FILE*, nullptr, fopen64, (const char* path, const char* mode), (path, mode))
 SKYLINE_FAIL(Open, FILE*, nullptr, fdopen, (int file, const char* mode), (file, mode))
 
-// Reading and writing may also stop half way.
+// Reading and writing can also stop half way.
 #define SKYLINE_FAIL_PART(kind, name, parameters, whole, half)                                     \
   SKYLINE_INSTEAD_OF(ssize_t, name, parameters)                                                    \
   {                                                                                                \
@@ -102,14 +103,15 @@ SKYLINE_FAIL(Write, ssize_t, -1, copy_file_range,
   (int from, off_t* place, int to, off_t* target, std::size_t count, unsigned int flags),
   (from, place, to, target, count, flags))
 
-// What the C library buffers: the error comes with the call, whether it reached the file or not.
+// Functions that buffer. They report the error at once, whether or not the data have reached the
+// file.
 SKYLINE_FAIL(Read, std::size_t, 0, fread,
   (void* bytes, std::size_t size, std::size_t count, FILE* file), (bytes, size, count, file))
 SKYLINE_FAIL(Write, std::size_t, 0, fwrite,
   (const void* bytes, std::size_t size, std::size_t count, FILE* file), (bytes, size, count, file))
 SKYLINE_FAIL(Write, int, EOF, fflush, (FILE * file), (file))
 
-// A file whose closing fails is closed all the same.
+// If closing a file fails, the file is closed nevertheless.
 #define SKYLINE_FAIL_CLOSE(name, failure, parameters, arguments)                                   \
   SKYLINE_INSTEAD_OF(int, name, parameters)                                                        \
   {                                                                                                \
@@ -181,8 +183,8 @@ SKYLINE_FAIL(Thread, int, EAGAIN, pthread_create,
   (pthread_t * thread, const pthread_attr_t* attributes, void* (*start)(void*), void* data),
   (thread, attributes, start, data))
 
-// Allocations, of operator new too, which calls malloc. The library's own are called by their other names,
-// for looking a function up allocates.
+// Allocations, including those of operator new, which calls malloc. The functions of the C library
+// are called by their internal names, because looking up a function allocates memory.
 extern "C"
 {
   void* __libc_malloc(std::size_t);
@@ -203,7 +205,7 @@ SKYLINE_INSTEAD_OF(void*, calloc, (std::size_t count, std::size_t size))
 
 SKYLINE_INSTEAD_OF(void*, realloc, (void* place, std::size_t size))
 {
-  // To no bytes it frees, and does not fail.
+  // A realloc to 0 bytes frees the memory and does not fail.
   const bool frees = place && size == 0;
   return frees || NextAllocation(size) == Fault::None ? __libc_realloc(place, size) : nullptr;
 }

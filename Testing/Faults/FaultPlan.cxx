@@ -23,15 +23,15 @@ namespace
 
 constexpr std::size_t Kinds = static_cast<std::size_t>(Call::Count);
 
-/// What the file of counts holds: calls of every kind, how many of them failed, and when a signal was
-/// sent, by the monotonic clock.
+/// The content of the file of counts: the number of calls of each type, how many of them failed,
+/// and the time at which a signal was sent, by the monotonic clock.
 struct FaultCounts
 {
   std::atomic<std::uint64_t> Calls[Kinds];
   std::atomic<std::uint64_t> Failed;
   std::atomic<std::uint64_t> SentNanoseconds;
 };
-static_assert(std::atomic<std::uint64_t>::is_always_lock_free, "threads and a reader share it");
+static_assert(std::atomic<std::uint64_t>::is_always_lock_free, "threads and processes share it");
 
 struct FaultPlan
 {
@@ -55,10 +55,10 @@ const char* Setting(const char* name)
   return value ? value : "";
 }
 
-/// The file of counts as shared memory: what is in it outlives the process.
+/// Maps the file of counts as shared memory, so that its content outlives the process.
 void ShareCounts(const char* path)
 {
-  // The kernel's own calls: those of the C library are counted.
+  // System calls, because the functions of the C library are counted.
   const long file = ::syscall(SYS_openat, AT_FDCWD, path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file < 0 || ::syscall(SYS_ftruncate, file, sizeof(FaultCounts)) != 0)
   {
@@ -73,7 +73,8 @@ void ShareCounts(const char* path)
   (void)::syscall(SYS_close, file);
 }
 
-/// When the program is loaded; what libraries do before is neither counted nor failed.
+/// Runs when the library is loaded. Calls that other libraries make before are neither counted nor
+/// failed.
 __attribute__((constructor)) void ReadPlan()
 {
   const char* const call = Setting("SKYLINE_FAULT_CALL");

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which call of the system fails, as the environment says it:
+// Selects the system call that fails, by environment variables:
 //
-//   SKYLINE_FAULT_CALL     a name of CallNames; none: nothing fails, calls are counted
-//   SKYLINE_FAULT_NUMBER   which call of all threads, from 1
-//   SKYLINE_FAULT_ERROR    the errno; "short": half is read or written; "signal N": the process gets
-//                          that signal, and the call is made
-//   SKYLINE_FAULT_LASTING  "1": every later call fails too
+//   SKYLINE_FAULT_CALL     a name of CallNames; without it, calls are counted and none fails
+//   SKYLINE_FAULT_NUMBER   the number of the call, over all threads, from 1
+//   SKYLINE_FAULT_ERROR    the errno; "short": half of the data is read or written; "signal N": the
+//                          process receives this signal, and the call is made
+//   SKYLINE_FAULT_LASTING  "1": all later calls fail too
 //   SKYLINE_FAULT_LEAST    bytes; smaller allocations are neither counted nor failed (default 0)
-//   SKYLINE_FAULT_COUNTS   a file of FaultCounts in the machine's bytes, which tells how many calls there
-//                          were even when the process was killed
+//   SKYLINE_FAULT_COUNTS   a binary file of FaultCounts, which holds the number of calls even after
+//                          the process was killed
 //   SKYLINE_FAULT_ARMED    "0": nothing is counted before SkylineArmFaults() is called
 #ifndef skyline_FaultPlan_h
 #define skyline_FaultPlan_h
@@ -20,7 +20,7 @@ namespace skyline
 namespace testing
 {
 
-/// Kinds of calls; several functions of the C library stand behind each.
+/// Types of calls. Each stands for several functions of the C library.
 enum class Call
 {
   Open,
@@ -47,14 +47,14 @@ static_assert(sizeof(CallNames) / sizeof(*CallNames) == static_cast<std::size_t>
 enum class Fault
 {
   None,
-  Fails, ///< errno says with what
+  Fails, ///< with the errno that the environment sets
   Short
 };
 
-/// Counts a call, and says whether it is the one that fails. From any thread.
+/// Counts a call, and returns whether it must fail. Thread-safe.
 Fault Next(Call call) noexcept;
 
-/// The same for an allocation of so many bytes.
+/// The same for an allocation of the given number of bytes.
 Fault NextAllocation(std::size_t bytes) noexcept;
 
 } // namespace testing

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of injected faults share: commands on small rasters, run with a fault, and the verdict.
+"""Code that the tests of injected faults share: commands on small rasters, runs with a fault, and verdicts.
 
-A run passes when it ends in time and either exits with 0 and has written the file that a run without
-faults writes, or fails, says why, and leaves what was there before. After the next run of the same
-command no other file may be left.
+A run passes if it ends in time and either exits with 0 and has written the file that a run without
+faults writes, or fails with a reason and leaves the earlier files unchanged. After the next run of the
+same command there must be no other file.
 
-The environment: SKYLINE_FAIL_CALLS is the library to preload (FailCalls.cxx), SKYLINE_TEST_RUNS how many
-runs there are, SKYLINE_TEST_JOBS how many at a time (default 1), SKYLINE_TEST_SEED another choice of faults.
+Environment: SKYLINE_FAIL_CALLS is the library to preload (FailCalls.cxx), SKYLINE_TEST_RUNS the number
+of runs, SKYLINE_TEST_JOBS how many run at a time (default 1), SKYLINE_TEST_SEED selects other faults.
 """
 import collections
 import concurrent.futures
@@ -33,7 +33,7 @@ RUNS = int(os.environ.get("SKYLINE_TEST_RUNS", "30"))
 JOBS = int(os.environ.get("SKYLINE_TEST_JOBS", "1"))
 SEED = int(os.environ.get("SKYLINE_TEST_SEED", "1"))
 
-# The kinds of calls in the order of FaultPlan.h, with the errors that a system gives them.
+# The types of calls in the order of FaultPlan.h, with the errors that a system returns for them.
 ERRORS = {
     "open": ["EMFILE", "EACCES", "ENOENT", "EIO"],
     "read": ["EIO", "EINTR", "short"],
@@ -52,7 +52,7 @@ ERRORS = {
 }
 KINDS = list(ERRORS)
 
-# Seconds after which a run counts as hung; it takes less than 1 on a machine that is not busy.
+# Seconds after which a run counts as hung. On an idle machine a run takes less than 1.
 PATIENCE = 30.0
 
 PYTHON = """
@@ -65,7 +65,8 @@ if arm:
 skyline.write(sys.argv[2], heights.astype(numpy.float32), like=sys.argv[1])
 """
 
-# What stood at the target before, and its side file: stale beside a new raster, it changes its values.
+# The earlier target and its side file. Beside a new raster the old side file would change its
+# values.
 OLD_SIDE_FILE = b"""<PAMDataset>
   <PAMRasterBand band="1"><NoDataValue>0.5</NoDataValue><Offset>7</Offset></PAMRasterBand>
 </PAMDataset>
@@ -78,12 +79,12 @@ def number_of(error):
 
 
 def timeless(content):
-    """The bytes of a file without the moment of writing, which an EXR tells."""
+    """The bytes of a file without the time of writing, which an EXR contains."""
     return content and re.sub(rb"\d{4}:\d\d:\d\d \d\d:\d\d:\d\d", b"", content)
 
 
 class Fault:
-    """One fault of one run, and the words that repeat it."""
+    """One fault of one run, and a description with which it can be repeated."""
 
     def __init__(self, kind="", number=0, error="", lasting=False, least=0):
         self.kind, self.number, self.error = kind, number, error
@@ -107,7 +108,7 @@ class Fault:
 
 
 class Case:
-    """A command in a folder of its own, with what stands there before and what should come."""
+    """A command in a folder of its own, with the files before the run and the expected output."""
 
     def __init__(self, folder, name, arguments, out):
         self.folder = os.path.join(folder, name)
@@ -122,7 +123,7 @@ class Case:
             self.command = [sys.executable, "-c", PYTHON, *arguments[1:], self.out]
         else:
             self.command = [Program.PROGRAM, *arguments, *(["-o", self.out] if out else [])]
-        # OpenImageIO's own libraries want threads.
+        # The libraries of OpenImageIO start threads.
         self.images = any(word.endswith((".exr", ".png")) for word in self.command)
         self.good = b""
         self.good_raster = None
@@ -137,7 +138,7 @@ class Case:
         return values
 
     def learn(self, least=0):
-        """Runs without a fault: what is right, and how many calls of every kind there are."""
+        """Runs without a fault, to get the right output and the number of calls of each type."""
         if self.learnt == least:
             return
         self.learnt = least
@@ -161,7 +162,7 @@ class Case:
         return dict(zip([*KINDS, "failed", "sent"], numbers))
 
     def clear(self):
-        """The folder as before the command: an old raster, its side file and nothing else."""
+        """Restores the folder before the command: an old raster and its side file, and nothing else."""
         for place in [self.folder, self.temporary]:
             for name in os.listdir(place):
                 path = os.path.join(place, name)
@@ -188,7 +189,7 @@ class Case:
             return None
 
     def raster(self):
-        """All that a user takes from the raster, side files included."""
+        """All that a user reads from the raster, including side files."""
         raster = gdal.Open(self.out)
         bands = [raster.GetRasterBand(k + 1) for k in range(raster.RasterCount)]
         return (raster.ReadAsArray(), raster.GetGeoTransform(), raster.GetProjection(),
@@ -196,7 +197,7 @@ class Case:
                   band.GetOverviewCount(), repr(band.GetNoDataValue())) for band in bands])
 
     def is_good(self):
-        """Whether what stands at the target is what a run without faults writes."""
+        """Whether the target is the output of a run without faults."""
         found = timeless(self.bytes_of(self.out))
         stale = os.path.exists(self.out + ".aux.xml")
         if found == self.good and not stale:
@@ -214,8 +215,8 @@ class Case:
         return all(self.bytes_of(path) == content for path, content in self.old.items())
 
     def is_old_for_the_next_run(self):
-        """After SIGKILL, or where the system renames nothing any more: the old raster, and its side file under another name, which the next run that
-        writes to this folder gives back."""
+        """After SIGKILL, or where the system refuses all renames: the old raster remains, and its side file
+        has another name until the next run that writes to this folder restores it."""
         raster, side = self.old
         aside = [name for name in os.listdir(self.folder)
                  if name.endswith(".of." + os.path.basename(side))]
@@ -238,8 +239,8 @@ class Case:
                                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CORE, (0, 0)))
 
     def run(self, fault):
-        """Runs with the fault; returns the verdict, what was said, and the seconds; those after a signal,
-        if the fault is one."""
+        """Runs with the fault. Returns the verdict, the output, and the seconds (after the signal, if the
+        fault is one)."""
         start = time.monotonic()
         running = self.start(fault)
         try:
@@ -260,8 +261,8 @@ class Case:
                 return "right" if out == self.good else "WRONG"
             return "right" if self.is_good() else "WRONG"
         if self.out and not self.is_old() and not self.is_old_for_the_next_run():
-            # The last steps, such as syncing the folder, can fail when the new file is in its place.
-            # Who is killed can be so before the old side file is taken away.
+            # The last steps, such as syncing the folder, can fail when the new file is already in
+            # place. A kill can come before the old side file is removed.
             whole = timeless(self.bytes_of(self.out)) == self.good if killed else self.is_good()
             return "failed, new file" if whole else "SPOILT"
         if code in (-signal.SIGSEGV, -signal.SIGBUS, -signal.SIGFPE, -signal.SIGILL):
@@ -273,7 +274,7 @@ class Case:
         return "refused" if code == 1 else "exit %d" % code
 
     def sweep(self):
-        """Runs once more without a fault: right, and nothing is left but the output."""
+        """Runs once more without a fault: the output must be right, and no other file may be left."""
         verdict, said, _ = self.run(Fault())
         if verdict != "right":
             return ["%s, after all faults: %s %s" % (self.name, verdict, said)]
@@ -283,14 +284,14 @@ class Case:
         return ["%s: LITTER %s: %s" % (self.name, when, name) for name in self.litter()]
 
 
-# What is wrong whatever the fault was.
+# Verdicts that are wrong for each fault.
 BAD = ["HUNG", "LATE", "WRONG", "SPOILT", "CRASHED", "silent"]
 USUAL = ["right", "refused", "ended by the signal"]
 
 
 def make_cases(folder, names=None):
-    """The commands, each in a folder of its own below `folder`, on rasters that they share."""
-    # Several blocks in every band, so that GDAL's compression has work for threads.
+    """The commands, each in a folder of its own below `folder`, on shared rasters."""
+    # Several blocks per band, so that GDAL compresses with threads.
     big = make(os.path.join(folder, "big.tif"), hills(600, 520), epsg=UTM10,
                kind=gdal.GDT_Float32)
     small = make(os.path.join(folder, "small.tif"), hills(16, 32), epsg=UTM10,
@@ -315,8 +316,8 @@ def make_cases(folder, names=None):
 
 
 def rounds(cases, kinds, count, rng):
-    """`count` triples (case, kind, number of the call), every case and kind in turn, no call twice."""
-    # OpenImageIO's libraries may wait for ever for a thread that they could have had a moment before.
+    """`count` triples (case, type, number of the call): all cases and types in turn, no call twice."""
+    # The libraries of OpenImageIO may wait forever for a thread that failed to start.
     pairs = [(case, kind) for case in cases for kind in kinds
              if case.calls[kind] > 0 and not (kind == "thread" and case.images)]
     taken = set()
@@ -334,7 +335,7 @@ def rounds(cases, kinds, count, rng):
 
 
 class Tally:
-    """Verdicts of many runs, each of which may take `patience` seconds."""
+    """The verdicts of many runs, each of which may take `patience` seconds."""
 
     def __init__(self, patience=PATIENCE):
         self.patience = patience
@@ -352,7 +353,7 @@ class Tally:
         if verdict in BAD:
             self.findings.append(line)
         if verdict not in USUAL:
-            print(line, flush=True)  # at once: there may be hundreds of runs to come
+            print(line, flush=True)  # at once, because hundreds of runs may follow
 
     def __str__(self):
         counts = ", ".join("%d %s" % (n, verdict) for verdict, n in self.verdicts.most_common())
@@ -361,8 +362,8 @@ class Tally:
 
 
 def run_all(plan, tally, clean=False):
-    """Runs (case, fault) pairs; a case's one after the other, cases side by side. `clean`: nothing may be left
-    even before the next run."""
+    """Runs (case, fault) pairs: those of a case in sequence, cases in parallel. `clean`: no file may be
+    left even before the next run."""
     by_case = collections.defaultdict(list)
     for case, fault in plan:
         by_case[case].append(fault)
@@ -379,12 +380,12 @@ def run_all(plan, tally, clean=False):
 
 
 def report(test, tally):
-    """Prints the counts; fails with what was wrong."""
+    """Prints the counts, and fails if a verdict was wrong."""
     print("\n" + test.id().split(".", 1)[-1] + ":", tally, flush=True)
     test.assertEqual(tally.findings, [], "\n" + "\n".join(tally.findings))
 
 
-# What stands for the rest where there is no time for all: a command of every way to write.
+# A selection if there is no time for all: one command for each way of writing.
 FEW = ["horizon-cog", "irradiance", "shade-png", "shade-exr"]
 MANY_RUNS = 100
 
@@ -395,7 +396,7 @@ def sanitized(program):
 
 
 class FaultTest(Program.ToolTest):
-    """The cases in a folder of the class; the choice of faults by the seed."""
+    """The cases in a folder of the class, and the faults that the seed selects."""
 
     @classmethod
     def setUpClass(cls):

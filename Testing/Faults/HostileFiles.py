@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files and names that want more than heights: places on the network, files elsewhere, the memory of the
-whole machine. Each function of a table's row writes into a folder and returns the name to open.
+"""Files and names that try to reach more than heights: network addresses, files in other folders, or the
+memory of the whole machine. The function in each row of a table writes into a folder and returns the name
+to open.
 
-Beside the folder lies `private/secret.bin`, which nobody asked for. `server` is a place that must not be
-reached; it need not exist.
+Beside the folder is `private/secret.bin`, which must not be read. `server` is an address that must not be
+contacted; it need not exist.
 """
 import os
 import struct
 import zlib
 
-SERVER = "127.0.0.1:9"  # discard: nobody answers
+SERVER = "127.0.0.1:9"  # the discard port: no answer
 URL = "http://" + SERVER + "/heights.tif"
 
 REFUSED = "refused"  # exit 1 or 2, and no output
-SAFE = "safe"        # refused, or the heights of the file without what is hostile
+SAFE = "safe"        # refused, or the heights of the file without its hostile part
 
 VRT = """<VRTDataset rasterXSize="%s" rasterYSize="%s">
   <SRS>EPSG:32610</SRS><GeoTransform>500000, 30, 0, 5100000, 0, -30</GeoTransform>
@@ -83,12 +84,12 @@ def secret(folder):
 
 
 def text(name, content):
-    """A file of that name whose whole content is the text."""
+    """Writes a file with this name, whose content is the text."""
     return lambda folder: put(folder, name, content)
 
 
 def beside(suffix, content):
-    """The good raster heights.tif with a file beside it."""
+    """The valid raster heights.tif with another file beside it."""
     def write(folder):
         put(folder, "heights.tif" + suffix, content)
         return os.path.join(folder, "heights.tif")
@@ -112,7 +113,7 @@ def relative_secret(folder):
 
 
 def linked_secret(folder):
-    """A symbolic link in the folder, as an archive can hold one."""
+    """A symbolic link in the folder, as an archive can contain one."""
     os.symlink(secret(folder), os.path.join(folder, "data.bin"))
     return put(folder, "hostile.vrt", VRT % (16, 16, RAW % (1, "data.bin")))
 
@@ -123,7 +124,7 @@ def cycle(folder):
 
 
 def chain(folder):
-    """A VRT of a VRT of a VRT, and at the end the network."""
+    """A VRT of a VRT of a VRT, whose last source is on the network."""
     source = "/vsicurl/" + URL
     for k in range(20):
         source = os.path.basename(put(folder, "link%d.vrt" % k, VRT % (
@@ -143,7 +144,7 @@ def deep(folder):
 
 
 def pipe(folder):
-    """Nobody writes into it."""
+    """A pipe without a writer."""
     path = os.path.join(folder, "hostile.tif")
     os.mkfifo(path)
     return path
@@ -155,7 +156,7 @@ def pipe_in_vrt(folder):
 
 
 def huge_tiff(folder):
-    """A GeoTIFF of 200 bytes that says it has 100000 x 100000 floats, all of them left out."""
+    """A GeoTIFF of 200 bytes that claims 100000 x 100000 floats, all of them omitted."""
     tags = [(256, 4, 1, 100000), (257, 4, 1, 100000), (258, 3, 1, 32), (259, 3, 1, 1), (262, 3, 1, 1),
             (273, 4, 1, 0), (277, 3, 1, 1), (278, 4, 1, 100000), (279, 4, 1, 0), (339, 3, 1, 3)]
     directory = struct.pack("<H", len(tags)) + b"".join(
@@ -164,7 +165,7 @@ def huge_tiff(folder):
 
 
 def huge_exr(folder):
-    """An EXR of two kB that says it has 20000 x 10000 pixels."""
+    """An EXR of two kB that claims 20000 x 10000 pixels."""
     def attribute(name, kind, value):
         return name + b"\0" + kind + b"\0" + struct.pack("<I", len(value)) + value
     box = struct.pack("<4i", 0, 0, 19999, 9999)
@@ -185,14 +186,14 @@ def huge_hdr(folder):
 
 
 def bomb(folder):
-    """A compressed raw file that grows a thousand times."""
+    """A compressed raw file that expands a thousand times."""
     packer = zlib.compressobj(9, zlib.DEFLATED, 31)
     data = packer.compress(bytes(1 << 26)) + packer.flush()
     put(folder, "data.bin.gz", data)
     return put(folder, "hostile.vrt", VRT % (1 << 16, 1 << 16, RAW % (1, "/vsigzip/data.bin.gz")))
 
 
-# What it is, what may become of it, and the function that makes it.
+# A description, the allowed outcome, and the function that makes the file.
 RASTERS = [
     ("TMS in a .tif", REFUSED, text("hostile.tif", WMS)),
     ("WMS in a .tif", REFUSED, text("hostile.tif", WMS_SERVICE)),
@@ -242,7 +243,7 @@ RASTERS = [
             URL + "</MDI></Metadata></PAMDataset>")),
 ]
 
-# Names in place of files: what a list or a form may hand over.
+# Names instead of files, as a list or a form may contain them.
 NAMES = [
     URL,
     "/vsicurl/" + URL,
@@ -284,7 +285,7 @@ LIGHTS = [
     ("light map by a URL", REFUSED, names("http://%s/sky.exr" % SERVER)),
 ]
 
-# What is not yet refused, and why: skipped, so that it is not forgotten.
+# Cases that are not yet refused, with the reason. They are skipped, so that they stay visible.
 UNMENDED = {
     "gzip that grows a thousand times": "each row beyond its end unpacks all of it again",
 }

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Spoils files: flipped bits, numbers at the ends of their ranges, cuts, repeats, pieces of other files."""
+"""Damages files: flipped bits, extreme numbers, cuts, repeats, and pieces of other files."""
 import re
 import struct
 
-# Numbers at which sizes, offsets and counts go wrong.
+# Numbers that often cause errors as sizes, offsets and counts.
 WHOLE = [0, 1, 2, 7, 127, 128, 255, 256, 32767, 32768, 65535, 65536, 0x7fffffff, 0x80000000,
          0xffffffff, 0x100000000, 0x7fffffffffffffff, 0x8000000000000000, 0xffffffffffffffff]
 REAL = [0.0, -1.0, 1e-320, 1e-40, 1e20, 1e38, 1e300, float("inf"), float("-inf"), float("nan")]
@@ -12,12 +12,12 @@ WORDS = [b"0", b"-1", b"1e400", b"1e-400", b"nan", b"inf", b"-inf", b"2147483647
          b"0x10", b"1,5", b"../x", b"/dev/zero", b"%s%n", b"&amp;", b"<", b"\0"]
 NUMBER = re.compile(rb"[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?")
 
-# Most of a file's sense is in its beginning.
+# The beginning of a file contains most of its structure.
 HEADER = 512
 
 
 def place(rng, content):
-    """An offset into the content, half of the time in its beginning."""
+    """An offset in the content, half of the time in its beginning."""
     size = len(content) if rng.random() < 0.5 else min(len(content), HEADER)
     return rng.randrange(max(size, 1))
 
@@ -41,7 +41,7 @@ def put_number(rng, content, others):
 
 
 def put_word(rng, content, others):
-    """In text: a number becomes another; in bytes, some number that stands there as text."""
+    """In a text format, replaces a number; in a binary one, a number that is stored as text."""
     found = list(NUMBER.finditer(bytes(content)))
     if found:
         one = rng.choice(found)
@@ -75,7 +75,7 @@ OPERATIONS = [flip, flip, put_number, put_number, put_word, put_word, cut, drop,
 
 
 def mutate(rng, content, others):
-    """A spoilt copy of the content; `others` are files of the same format to take pieces from."""
+    """A damaged copy of the content. `others`: files of the same format, from which pieces are taken."""
     spoilt = bytearray(content)
     for _ in range(rng.choice([1, 1, 2, 4])):
         rng.choice(OPERATIONS)(rng, spoilt, others)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads many files in one process, for TestMutations.py and TestHostileFiles.py: under the sanitizers a
-// process takes seconds to start. Connections are refused and logged (Connections.cxx).
+// Reads many files in one process, for TestMutations.py and TestHostileFiles.py, because a process
+// with sanitizers takes seconds to start. Connections are refused and logged (Connections.cxx).
 //
-//   SkylineReadFiles SECONDS < LIST      each line "raster FILE" or "light FILE"
+//   SkylineReadFiles SECONDS < LIST      each line of LIST is "raster FILE" or "light FILE"
 //
-// One line for each file: "reading FILE", then, when it was read or refused, "read", "refused REASON" or
-// "wrong REASON" with the seconds and the largest size of the process until then in MB. A crash, or a file that takes
-// longer than SECONDS, ends the process after "reading FILE".
+// For each file the program prints "reading FILE". Then it prints "read", "refused REASON" or
+// "wrong REASON", with the seconds and the greatest size of the process so far in MB. If it
+// crashes, or if a file takes longer than SECONDS, the output ends after "reading FILE".
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkHeightFieldHorizon.h"
@@ -31,12 +31,12 @@
 namespace
 {
 
-// Larger fields are read, but no horizon is found of them.
+// For larger fields no horizon is computed.
 constexpr vtkIdType SmallField = 64 * 64;
 
 std::string Reason;
 
-/// Updates without printing; the first error stays in Reason.
+/// Updates without printing. The first error is stored in Reason.
 void Update(vtkAlgorithm* algorithm)
 {
   vtkNew<vtkCallbackCommand> note;
@@ -44,7 +44,7 @@ void Update(vtkAlgorithm* algorithm)
     [](vtkObject*, unsigned long, void*, void* text)
     {
       std::string reason = static_cast<const char*>(text);
-      // VTK's own frame around the reason.
+      // The text that VTK adds before the reason.
       const std::size_t frame = reason.find("): ");
       reason = reason.substr(frame == std::string::npos ? 0 : frame + 3);
       reason = reason.substr(0, reason.find_last_not_of('\n') + 1);
@@ -54,7 +54,7 @@ void Update(vtkAlgorithm* algorithm)
   algorithm->Update();
 }
 
-/// Nothing, or what is wrong about the values that were read.
+/// Returns an empty string, or what is wrong with the values that were read.
 std::string ReadRaster(const char* file)
 {
   vtkNew<vtkHeightFieldReader> reader;
@@ -121,7 +121,7 @@ int main(int argc, char** argv)
     return 2;
   }
   const auto patience = static_cast<unsigned int>(std::strtoul(argv[1], nullptr, 10));
-  vtkOutputWindow::GetInstance()->SetDisplayModeToNever(); // what nobody observes
+  vtkOutputWindow::GetInstance()->SetDisplayModeToNever(); // for errors without an observer
   std::string kind, file;
   while (std::cin >> kind && std::getline(std::cin >> std::ws, file))
   {

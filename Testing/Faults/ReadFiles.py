@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files through SkylineReadFiles (ReadFiles.cxx): many in one process, and a new one after each crash."""
+"""Reads files with SkylineReadFiles (ReadFiles.cxx): many in one process, and a new one after each
+crash."""
 import os
 import re
 import resource
@@ -9,13 +10,13 @@ from Faults import LIBRARY, sanitized
 
 PROGRAM = os.environ.get("SKYLINE_READ_FILES", "")
 
-# Seconds for one file; the slowest that is refused takes less than 2 without sanitizers.
+# Seconds for one file. Without sanitizers the slowest refused file takes less than 2.
 PATIENCE = 60
 
-# Address space of the process, MB: a claim beyond it is refused for lack of memory, not believed.
+# Address space of the process in MB: larger claims of a file fail for lack of memory.
 MEMORY = 4096
 
-# Under a sanitizer the address space cannot be limited, and memory that is refused ends the process.
+# With a sanitizer the address space cannot be limited, and a failed allocation ends the process.
 SANITIZER = {
     "ASAN_OPTIONS": "detect_leaks=0:allocator_may_return_null=1:max_allocation_size_mb=%d:"
                     "hard_rss_limit_mb=%d" % (MEMORY // 2, MEMORY),
@@ -24,7 +25,7 @@ OUT_OF_MEMORY = re.compile("allocation-size-too-big|out-of-memory|hard rss limit
 
 
 class Verdict:
-    """What became of a file: "read", "refused", "wrong", "too large" or "crashed", and why."""
+    """The outcome of a file: "read", "refused", "wrong", "too large" or "crashed", and the reason."""
 
     def __init__(self, word, reason="", seconds=0.0, megabytes=0.0):
         self.word, self.reason = word, reason
@@ -41,7 +42,7 @@ def limit():
 
 
 def why_it_ended(code, said):
-    """The verdict of the file that a process was reading when it ended."""
+    """The verdict for the file that a process was reading when it ended."""
     memory = OUT_OF_MEMORY.search(said)
     if memory:
         return Verdict("too large", memory.group())
@@ -51,11 +52,11 @@ def why_it_ended(code, said):
 
 
 def read_files(files, log=""):
-    """The verdicts of (kind, path) pairs, in their order; kind is "raster" or "light". The places that a file
-    wanted to reach are in the file `log`."""
+    """The verdicts of (kind, path) pairs, in their order. kind is "raster" or "light". The file `log` lists
+    the addresses that the files tried to reach."""
     environment = dict(os.environ, SKYLINE_CALL_LOG=log, **SANITIZER)
     if LIBRARY and log and not sanitized(PROGRAM):
-        environment["LD_PRELOAD"] = LIBRARY  # for the files that are opened to be in the log too
+        environment["LD_PRELOAD"] = LIBRARY  # so that the log also lists opened files
     verdicts = []
     while len(verdicts) < len(files):
         rest = files[len(verdicts):]

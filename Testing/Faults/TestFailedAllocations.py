@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One allocation fails, in any thread, or all from one on: no wrong file with exit 0, no hang, no litter.
+"""One allocation fails, in any thread, or all from one on: there must be no wrong file with exit 0, no hang
+and no leftover file.
 
-Most allocations of a run are small and of libraries; those of more than LEAST bytes are the buffers that
-results go through, and get half of the faults.
+Most allocations of a run are small and made by libraries. Those of more than LEAST bytes are the buffers of
+the results, and get half of the faults.
 """
 from Faults import RUNS, Fault, FaultTest, Tally, report, rounds, run_all
 import Program
 
 LEAST = 16 * 1024
 
-# One fault in so many lasts, as when memory is really full.
+# One of so many faults lasts, as if the memory were full.
 LASTING = 0.25
 
 

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One call of the system fails, or all from one on: no wrong file with exit 0, no hang, no litter."""
+"""One system call fails, or all from one on: there must be no wrong file with exit 0, no hang and no
+leftover file."""
 from Faults import ERRORS, KINDS, RUNS, Fault, FaultTest, Tally, report, rounds, run_all
 import Program
 
-# One fault in so many lasts: a full disk, a limit on threads.
+# One of so many faults lasts, like a full disk or a limit on threads.
 LASTING = 0.25
 
 
@@ -14,7 +15,7 @@ class FailedCalls(FaultTest):
         plan = []
         for case, kind, number in rounds(cases, kinds, RUNS, self.rng):
             error = self.rng.choice(ERRORS[kind])
-            # A call that was interrupted is made again, so no system interrupts every one.
+            # An interrupted call is repeated, so no system interrupts all calls.
             lasting = self.rng.random() < LASTING and error != "EINTR"
             plan.append((case, Fault(kind, number, error, lasting)))
         tally = Tally()

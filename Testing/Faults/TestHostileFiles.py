@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files and names that want more than heights are refused, or read without what is hostile: no connection, no
-file of elsewhere, no code, no hang, no memory of the whole machine."""
+"""Hostile files and names are refused, or read without their hostile part: there must be no connection, no
+access to other folders, no execution of code, no hang, and no use of all memory."""
 import os
 import random
 import subprocess
@@ -13,20 +13,20 @@ import ReadFiles
 from HostileFiles import LIGHTS, NAMES, RASTERS, REFUSED, SAFE, UNMENDED
 from Program import UTM10, gdal, hills, limit_memory, make, np, read
 
-# Seconds for one file; also for a pipe that nobody writes.
+# Seconds for one file, including a pipe without a writer.
 PATIENCE = 60.0
 
-# Of the process, MB: what the program takes for a small raster is 200.
+# MB of the process; the program needs 200 for a small raster.
 MOST_MEGABYTES = 1024
 
-# Its address space, for claims that a large machine would believe to be refused on every one.
+# The limit of its address space, so that large claims are refused on machines with much memory too.
 ADDRESS_SPACE = 8 << 30
 
 SECRET = b"these 256 bytes are nobody's heights. " * 7
 
 
 class Ended:
-    """A finished run of the program: its exit status, what it said, and what it took."""
+    """A finished run of the program: its exit status, its messages, and its use of memory."""
 
     def __init__(self, code, said, seconds, megabytes):
         self.code, self.said, self.seconds, self.megabytes = code, said, seconds, megabytes
@@ -43,22 +43,23 @@ class HostileFiles(Program.ToolTest):
         self.reset()
 
     def some(self, table):
-        """The whole table, or what there is time for; the reader alone gets all of it in any case."""
+        """The whole table, or as much as there is time for. The readers alone always run the whole
+        table."""
         return table if RUNS >= MANY_RUNS else random.Random(SEED).sample(table, min(RUNS, len(table)))
 
     def reset(self):
-        """A folder with one good raster; nothing logged."""
+        """Makes a folder with one valid raster, and an empty log."""
         subprocess.run(["rm", "-rf", self.open, self.log], check=True)
         os.mkdir(self.open)
         make(os.path.join(self.open, "heights.tif"), hills(16, 16), epsg=UTM10,
              kind=gdal.GDT_Float32)
 
     def attempt(self, *arguments):
-        """Runs the program where the hostile file lies, every call logged."""
+        """Runs the program in the folder of the hostile file, and logs all calls."""
         environment = dict(os.environ, SKYLINE_CALL_LOG=self.log, HOME=self.folder)
         for name in list(environment):
             if name.lower().endswith("_proxy"):
-                del environment[name]  # for the log to tell the places themselves
+                del environment[name]  # so that the log shows the addresses themselves
         if LIBRARY and not sanitized(Program.PROGRAM):
             environment["LD_PRELOAD"] = LIBRARY
         start = time.monotonic()
@@ -77,7 +78,7 @@ class HostileFiles(Program.ToolTest):
         return Ended(running.returncode, said, time.monotonic() - start, used.ru_maxrss / 1024)
 
     def check_calls(self):
-        """Nothing was reached for, and no file was opened that is none of the program's business."""
+        """Checks that the program did not connect, and opened only files that it needs."""
         if not os.path.exists(self.log):
             return
         with open(self.log, errors="replace") as file:
@@ -131,7 +132,7 @@ class HostileFiles(Program.ToolTest):
                 self.check(expected, ended, out, None)
 
     def test_in_one_process(self):
-        """The same by the readers alone, which the sanitizers watch."""
+        """The same with the readers alone, under the sanitizers."""
         if not ReadFiles.PROGRAM:
             self.skipTest("SKYLINE_READ_FILES names no program")
         files = [("raster", name) for name in NAMES if "\n" not in name]

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The process is killed or interrupted, at a call or at any moment: the old file or the new one, whole;
-no litter after the next run, and none at all after an interrupt, which ends the process at once."""
+"""The process is killed or interrupted, at a call or at any time. The old file or the new one must be
+complete, and the next run must leave no other files. An interrupt must leave none itself and end the
+process at once."""
 import signal
 import subprocess
 import time
@@ -8,21 +9,21 @@ import time
 from Faults import PATIENCE, RUNS, Fault, FaultTest, Tally, report, rounds, run_all
 import Program
 
-# Seconds from an interrupt to the end: 1 on a machine that is not busy, which one of CI may be.
+# Seconds from an interrupt to the end: 1 on an idle machine, more on a busy one.
 SOON = 3.0
 
-# Calls that change files: a kill at these is most likely to leave something.
+# Calls that change files: a kill at one of them is most likely to leave a file.
 CHANGES = ["open", "write", "close", "sync", "rename", "remove", "truncate", "mode"]
 
 INTERRUPTS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT, signal.SIGPIPE]
 
-# Before this part of a run's time the program is only being loaded.
+# Before this part of the run time, the program is only being loaded.
 LOADED = 0.4
 
 
 class Kills(FaultTest):
     def at_calls(self, kinds, signals, count, patience):
-        """A signal at a call."""
+        """Sends a signal at a call."""
         plan = [(case, Fault(kind, number, "signal %d" % self.rng.choice(signals)))
                 for case, kind, number in rounds(self.cases(), kinds, count, self.rng)]
         tally = Tally(patience)
@@ -30,7 +31,7 @@ class Kills(FaultTest):
         report(self, tally)
 
     def at_moments(self, signals, count, patience):
-        """A signal from outside, when the program may be at any work."""
+        """Sends a signal from outside, at any time of the run."""
         cases = self.cases()
         for case in cases:
             case.clear()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Spoilt files of six formats and their variants: read or refused with a reason, in time, without a crash, and
-without a connection.
+"""Damaged files of six formats and their variants are read, or refused with a reason, in time, without a
+crash and without a connection.
 
-SKYLINE_TEST_FOUND names a folder that keeps the files that failed.
+SKYLINE_TEST_FOUND: a folder in which the files that failed are kept.
 """
 import collections
 import os
@@ -17,7 +17,7 @@ import ReadFiles
 from Mutator import mutate
 from Program import UTM10, gdal, hills, make
 
-# Files that are on the disk at a time.
+# Number of files that are on disk at a time.
 BATCH = 250
 
 RGBE_ROW = bytes([2, 2, 0, 16]) + bytes([0x90, 128]) * 2 + bytes([0x90, 64, 0x90, 129])
@@ -34,7 +34,7 @@ RAW_VRT = """<VRTDataset rasterXSize="9" rasterYSize="8">
 
 
 class Seed:
-    """A good file: its format, the file that is spoilt, and those that must stand beside it."""
+    """A valid file: its format, the file that is damaged, and the files that belong beside it."""
 
     def __init__(self, format_, path, beside=()):
         self.format = format_
@@ -49,14 +49,14 @@ class Seed:
                 self.beside[os.path.splitext(other)[1]] = file.read()
 
     def put(self, folder, name, content):
-        """Writes content in the seed's place; returns the file to read."""
+        """Writes the content in place of the seed, and returns the file to read."""
         for suffix, other in self.beside.items():
             with open(os.path.join(folder, name + suffix), "wb") as file:
                 file.write(other)
         path = os.path.join(folder, name + self.suffix)
         with open(path, "wb") as file:
             file.write(content)
-        # A header is spoilt, the data beside it is what is opened.
+        # The header is damaged, and the data file beside it is opened.
         return os.path.join(folder, name + ".img") if self.suffix == ".hdr" and self.beside else path
 
 
@@ -72,7 +72,7 @@ class Mutations(Program.ToolTest):
         return path
 
     def degrees(self, columns, rows, step):
-        """Heights on whole posts of latitude and longitude, as DTED and SRTM tiles want them."""
+        """Heights on regular posts of latitude and longitude, as DTED and SRTM tiles require."""
         path = make(self.path("degrees%d.tif" % columns), hills(rows, columns), step=(step, step),
                     corner=(-123.0 - step / 2, 46.0 - step / 2), epsg=4326, kind=gdal.GDT_Int16)
         return path
@@ -111,7 +111,8 @@ class Mutations(Program.ToolTest):
         return seeds
 
     def mutations(self, seeds, count):
-        """(seed, number, content), the formats in turn; the same for the same number and SEED."""
+        """(seed, number, content), with the formats in turn. The same number and SEED give the same
+        content."""
         by_format = collections.defaultdict(list)
         for seed in seeds:
             by_format[seed.format].append(seed)
@@ -147,7 +148,7 @@ class Mutations(Program.ToolTest):
         left = list(self.mutations(seeds, RUNS))
         while left:
             os.mkdir(folder)
-            # What a VRT names, for it to find.
+            # The sources of a VRT.
             for name in ["plain.tif", "raw.bin"]:
                 shutil.copy(self.path(name), folder)
             batch, left = left[:BATCH], left[BATCH:]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images for filters, and the errors that filters report.
+// Images as input for filters, and the errors that filters report.
 #ifndef skyline_FilterTesting_h
 #define skyline_FilterTesting_h
 

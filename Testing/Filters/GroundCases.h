@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rasters on many maps, far from where these are true, for the tests of distances and azimuths.
+// Rasters on many maps, far from the places where these maps are true to scale, for the tests of
+// distances and azimuths.
 #ifndef skyline_GroundCases_h
 #define skyline_GroundCases_h
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The 129 closed-form results of Testing/Data/closed-form, every row. A receiver is given by its
-// horizon as a function of azimuth (the shape's own, continuous) and its plane; the accumulators sum
-// it over 1440 azimuths. What that leaves is the midpoint rule's error, largest where the horizon has
-// a kink or falls within a quarter of a degree: see the bounds.
+// All 129 closed-form results of Testing/Data/closed-form. A receiver is given by its horizon as a
+// continuous function of azimuth and by its plane; the accumulators sum over 1440 azimuths. The
+// remaining error is that of the midpoint rule. It is greatest where the horizon has a kink or
+// falls within a quarter of a degree: see the bounds.
 #include "Lamps/LampIrradiance.h"
 #include "Reference/OracleTerrain.h"
 #include "Sky/SkyAccumulator.h"
@@ -36,7 +36,7 @@ struct Row
   double Value = 0.0;
 };
 
-// What ctest shows of a row.
+// How ctest prints a row.
 void PrintTo(const Row& row, std::ostream* out)
 {
   *out << row.Case << ": " << row.Quantity;
@@ -79,7 +79,7 @@ std::vector<Row> ReadRows()
   return rows;
 }
 
-// The numbers in a text, in order.
+// The numbers in a text, in order of appearance.
 std::vector<double> Numbers(const std::string& text)
 {
   static const std::regex number("-?[0-9]+(\\.[0-9]+)?");
@@ -127,7 +127,8 @@ double Sky(const Receiver& receiver, const std::string& quantity)
   return Has(quantity, "tilted") ? tilted : Has(quantity, "horizontal") ? level : solid;
 }
 
-/// Two straight walls along y of height `height`, `west` and `east` metres away (infinite: none).
+/// Two straight walls along y with the height `height`, `west` and `east` metres away. Infinite: no
+/// wall.
 Receiver Canyon(double height, double west, double east)
 {
   return { [=](double azimuth)
@@ -137,7 +138,7 @@ Receiver Canyon(double height, double west, double east)
     } };
 }
 
-/// A pit of radius `radius` and depth `depth`, `place` metres east of its axis.
+/// A pit with the given radius and depth, `place` metres east of its axis.
 Receiver Pit(double radius, double depth, double place)
 {
   return { [=](double azimuth)
@@ -154,8 +155,8 @@ Receiver Level(double elevationDegrees)
   return { [=](double) { return std::tan(elevationDegrees * RadiansPerDegree); } };
 }
 
-/// Half-lit place and penumbra ends of a straight edge by the disc kernel: the distance at which the
-/// lit fraction of a sun straight across passes `fraction`.
+/// The distance from a straight edge at which the disc kernel finds the visible fraction `fraction`
+/// of a sun straight across the edge: the half-lit line, or an end of the penumbra.
 double EdgeDistance(double height, double elevation, double radius, double fraction)
 {
   double low = 0.01;
@@ -167,7 +168,7 @@ double EdgeDistance(double height, double elevation, double radius, double fract
     DiscSlice slice;
     const double half = HalfSwath(sun.Elevation, sun.Radius);
     slice.Set(sun, -half, half, 0.0);
-    // The edge is level along the horizon of a distant sun: the same elevation across the disc.
+    // For a distant sun the edge is level: it has the same elevation across the disc.
     const double above = std::atan2(height, middle) - sun.Elevation;
     const double lit = 1.0 - slice.Hidden(above, above) / slice.Whole();
     (lit < fraction ? low : high) = middle;
@@ -175,7 +176,8 @@ double EdgeDistance(double height, double elevation, double radius, double fract
   return 0.5 * (low + high);
 }
 
-/// Degrees: horizon of a post `eye` metres above a sphere, by the exact method over 1 km posts.
+/// The horizon in degrees of a post `eye` metres above a sphere, by the exact method with posts 1
+/// km apart.
 double Dip(double eye)
 {
   oracle::OracleField field = shapes::Plane(3, 801, 1000.0, 0.0, 0.0);
@@ -203,7 +205,7 @@ TEST_P(ClosedForm, Holds)
     const double slope = std::tan(p[0] * RadiansPerDegree);
     if (angle)
     {
-      // Discretised: the middle post of a plane of 41 x 41, uphill to the east.
+      // A height field: the middle post of a plane of 41 x 41 posts, uphill to the east.
       const double azimuth = 90.0 - q[0];
       const oracle::OracleField field = shapes::Plane(41, 41, 10.0, slope, 0.0);
       const HeightField posts = FieldOf(field);
@@ -213,7 +215,8 @@ TEST_P(ClosedForm, Holds)
       return;
     }
     const Receiver plane{ [=](double azimuth) { return slope * std::sin(azimuth); }, slope, 0.0 };
-    // "horizontal receiver" here is the cosine of the plane itself by Dozier & Frew's integral.
+    // Here "horizontal receiver" means the cosine of the plane itself in the integral of Dozier &
+    // Frew.
     EXPECT_NEAR(Sky(plane, row.Quantity), row.Value, QuadratureBound);
   }
   else if (Has(row.Case, "V valley"))
@@ -229,8 +232,9 @@ TEST_P(ClosedForm, Holds)
     const double width = p[1];
     if (Has(row.Where, "mid-height"))
     {
-      // A vertical receiver is no post of a height field; a receiver steep without bound is. Across
-      // the street it sees the wall's upper half, behind it the wall itself hides all.
+      // A post of a height field cannot be vertical, but it can be steep without limit. Across the
+      // street it sees the upper half of the wall; on the other side, its own wall hides
+      // everything.
       const double steep = 1.0e5;
       const Receiver wall{ [=](double azimuth)
         {
@@ -263,8 +267,8 @@ TEST_P(ClosedForm, Holds)
   }
   else if (Has(row.Case, "spherical bowl"))
   {
-    // From the bottom the rim of a cap of half-angle T stands at T / 2; half-way up (t = T / 2) the
-    // rim is a circle of radius sin T about the axis, 'rise' above the receiver.
+    // From the bottom, the rim of a cap with the half-angle T stands at T / 2. Half-way up (t = T /
+    // 2), the rim is a circle with the radius sin T around the axis, 'rise' above the receiver.
     const double cap = p[0] * RadiansPerDegree;
     if (row.Where == "bottom")
     {
@@ -291,15 +295,16 @@ TEST_P(ClosedForm, Holds)
     const double elevation = p[1];
     if (Has(row.Quantity, "shadow length"))
     {
-      // A large disc is half covered where its centre is, but for the sphere's curvature under it.
+      // A large disc is half covered where its centre is, except for the curvature of the sphere of
+      // directions.
       EXPECT_NEAR(EdgeDistance(p[0], elevation, 0.01, 0.5), row.Value, 1.0e-4 * row.Value);
       return;
     }
     const double radius = p[2];
     const double width = EdgeDistance(p[0], elevation, radius, 1.0 - 1e-9) -
       EdgeDistance(p[0], elevation, radius, 1e-9);
-    // The ends are where the first and last chord is cut: the outermost of the quadrature's chords
-    // stop short of the rim by up to 1 % of the disc.
+    // The ends lie where the first and the last chord is cut. The outermost chords of the
+    // quadrature end before the rim, by up to 1 % of the disc.
     EXPECT_NEAR(width, row.Value, 0.01 * row.Value);
   }
   else if (Has(row.Case, "solar disc"))
@@ -310,19 +315,20 @@ TEST_P(ClosedForm, Holds)
     DiscSlice slice;
     slice.Set(sun, -half, half, 0.0);
     const double above = p[0] * rho;
-    // The disc's chords by Gauss's rule, and a horizon level on the sphere, not on the disc's plane.
+    // Two differences: the chords of the disc by Gauss's rule, and a horizon that is level on the
+    // sphere, not in the plane of the disc.
     EXPECT_NEAR(1.0 - slice.Hidden(above, above) / slice.Whole(), row.Value, 0.005);
   }
   else if (Has(row.Case, "sphere R="))
   {
-    // A parabola for the circle, 1 km posts for the ground: 1e-4 of the dip, and a quarter of a
-    // post's own sink.
+    // The ground is a parabola instead of a circle and has posts 1 km apart: errors of 1e-4 of the
+    // dip, and a quarter of the sink of one post.
     EXPECT_NEAR(Dip(p[0]), row.Value, 1.0e-3 * -row.Value + 0.0002);
   }
   else if (Has(row.Case, "spherical light"))
   {
-    // A post of a plain tilted by the angle between the normal and the lamp, 1 m from the lamp: all
-    // of the lamp stands above the post's plane.
+    // A post of a plane that is tilted by the angle between the normal and the lamp, 1 m from the
+    // lamp. The whole lamp lies above the plane of the post.
     const double radius = p[0] * RadiansPerDegree;
     const double tilt = p[1] * RadiansPerDegree;
     const oracle::OracleField field = shapes::Plane(5, 5, 10.0, std::tan(tilt), 0.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Distances and azimuths of horizons against geodesics, on many maps. `TestDistances --table` prints the
-// table of Documentation/distances.md.
+// Distances and azimuths of horizons, compared with geodesics on many maps. `TestDistances --table`
+// prints the table of Documentation/distances.md.
 #include "GroundCases.h"
 
 #include "Data/ImageGeoreference.h"
@@ -33,15 +33,15 @@ namespace
 {
 
 constexpr int Posts = 161;
-constexpr double Step = 150.0; // metres on the map, about: 24 km of raster, towers 1.2 km away
+constexpr double Step = 150.0; // metres on the map, roughly: a raster of 24 km, towers 1.2 km away
 constexpr int Reach = 8;       // posts from a receiver to its tower, or a little more
-constexpr double Rise = 0.3;   // height of a tower over its distance
-constexpr double Turn = 0.01;  // degrees between the azimuths that are tried
-constexpr int Turns = 15;      // to either side
+constexpr double Rise = 0.3;   // height of a tower divided by its distance
+constexpr double Turn = 0.01;  // degrees between the azimuths of the search
+constexpr int Turns = 15;      // on each side
 
-// What Documentation/distances.md promises, and what this test adds: where columns and rows meet at 23
-// degrees, half a step of azimuth makes 0.02 % of the distance to a tower's edge, and the ray bends by 0.01 %
-// on its way.
+// The bounds of Documentation/distances.md, plus the errors of this test: where columns and rows
+// meet at 23 degrees, half a step of azimuth makes 0.02 % of the distance to the edge of a tower,
+// and the curvature of the ray makes 0.01 %.
 constexpr double DistanceBound = DistanceTolerance + 3e-4;
 constexpr double AzimuthBound = AzimuthTolerance + 0.5 * Turn;
 
@@ -61,7 +61,8 @@ OGRSpatialReference CrsOf(const std::string& text)
   return crs;
 }
 
-/// Longitudes and latitudes on the CRS's own ellipsoid, by PROJ at each point: no lattice.
+/// Longitudes and latitudes on the ellipsoid of the CRS, computed by PROJ for each point instead of
+/// by the lattice.
 class Truth
 {
 public:
@@ -95,7 +96,7 @@ private:
   std::unique_ptr<OGRCoordinateTransformation> To, From;
 };
 
-/// Slopes of one post.
+/// Stores the slopes of one post.
 class OnePost : public Accumulator
 {
 public:
@@ -174,7 +175,7 @@ public:
   Worst Measure()
   {
     const Georeference place = LoadGeoreference(this->Image);
-    // The reader turns maps whose axes point south or west; the posts' places tell how.
+    // The reader turns maps whose axes point south or west. The positions of the posts tell how.
     double longitude = 0.0, latitude = 0.0, nearest = 1e30;
     place.LonLatAt(3.0, 1.0, longitude, latitude);
     bool flipX = false, flipY = false;
@@ -194,7 +195,7 @@ public:
     this->FlipX = flipX;
     this->FlipY = flipY;
     Worst worst;
-    // A tower beside the corner has its nearest point inside the raster.
+    // For a tower beside the corner, the nearest point lies inside the raster.
     constexpr int first = Reach, last = Posts - 1 - Reach, middle = Posts / 2;
     for (const auto& [column, row] : { std::pair<int, int>{ middle, middle }, { first, first },
            { last, first }, { first, last }, { last, last } })
@@ -224,7 +225,7 @@ private:
     const Georeference& place, int column, int row, int towerColumn, int towerRow, Worst& worst)
   {
     const std::array<double, 2> here = this->At(column, row);
-    // The nearest point of a flat top of 3 x 3 posts, and the tip of a spike of one post.
+    // The nearest point of a flat top of 3 x 3 posts, and the tip of a peak of one post.
     double nearest = 1e30, towards = 0.0, tip = 0.0, tipTowards = 0.0;
     const auto look = [&](double c, double r, double& length, double& azimuth)
     {
@@ -264,7 +265,8 @@ private:
     }
   }
 
-  /// The highest slope about a true azimuth, without curvature, and where it lies (degrees from there).
+  /// Returns the highest slope near a true azimuth, without curvature. found: its direction, in
+  /// degrees from this azimuth.
   float Highest(const Georeference& place, int column, int row, int towerColumn, int towerRow,
     int half, double height, double trueAzimuth, AzimuthAxes axes, Worst& worst, double& found)
   {
@@ -283,7 +285,8 @@ private:
     HorizonScene::Options options;
     options.Flat = true;
     HorizonScene scene(this->Image, heights, options);
-    // Azimuths of one axis as the scene counts them; all of them turn alike over a degree.
+    // Azimuths relative to one of the axes, as the scene counts them. Within a degree, all of them
+    // turn equally.
     const double before = trueAzimuth - Turn * Turns, after = trueAzimuth + Turn * Turns;
     const auto counted = [&](double azimuth)
     {
@@ -300,7 +303,7 @@ private:
     OnePost post(column, row);
     scene.Run(azimuths, 0.0, post, axes);
     const auto highest = std::max_element(post.Slopes.begin(), post.Slopes.end());
-    // The middle of those as high as it but for rounding.
+    // The middle of the directions in which the slope is the highest, up to rounding.
     const auto high = [&](float slope) { return slope >= *highest * (1.0f - 1e-6f); };
     const auto first = std::find_if(post.Slopes.begin(), post.Slopes.end(), high);
     const auto final = std::find_if(post.Slopes.rbegin(), post.Slopes.rend(), high);
@@ -342,8 +345,8 @@ std::string NameOf(const ::testing::TestParamInfo<GroundCase>& info)
 
 INSTANTIATE_TEST_SUITE_P(Distances, OnMaps, ::testing::ValuesIn(GroundCases()), NameOf);
 
-/// How far a ray that is straight on the map, with the lengths and angles of its receiver, has left the
-/// geodesic that it started along: worst of all directions.
+/// How far a ray deviates from the geodesic that it follows at first, if it is straight on the map
+/// and uses the lengths and angles of its receiver. The worst of all directions.
 Worst RayError(const GroundCase& which, double distance)
 {
   const Truth place(which.Crs);
@@ -365,7 +368,7 @@ Worst RayError(const GroundCase& which, double distance)
     const double x = step * std::sin(angle), y = step * std::cos(angle);
     double length = 0.0, before = 0.0, azimuth = 0.0;
     ground(x, y, length, azimuth);
-    ground(-x, -y, before, azimuth); // the mean of both ways has no second-order error
+    ground(-x, -y, before, azimuth); // the mean of both directions has no second-order error
     const double perStep = 0.5 * (length + before);
     double there = 0.0;
     const double steps = distance / perStep;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// On a level square the trust is a count of azimuths: all of them inside, half of them at an edge, a
-// quarter at a corner, the rays along the edge among them.
+// On a level square the trust is a share of azimuths: all of them in the middle, a half at an edge,
+// a quarter at a corner. Rays along the edge count.
 #include "FilterTesting.h"
 
 #include "vtkHeightFieldSkyView.h"
@@ -20,7 +20,7 @@ namespace
 constexpr int Azimuths = 72;
 constexpr double Step = 10.0; // metres
 
-/// An arc holds one azimuth more or less than its share of them; and the sum is a float.
+/// An arc can contain one azimuth more or less than its share, and the sum is a float.
 constexpr double OneAzimuth = 1.001 / Azimuths;
 
 constexpr float Along(int quarters)
@@ -69,7 +69,8 @@ TEST(EdgeTrust, LevelSquare)
   }
 }
 
-// At e from one edge the rays that leave within d make the arc 2 acos(e / d).
+// At the distance e from one edge, the rays that leave the data within d form the arc 2 acos(e /
+// d).
 TEST(EdgeTrust, ArcsBesideAnEdge)
 {
   Trust trust(shapes::Plane(201, 201, Step, 0.0, 0.0), 300.0);
@@ -104,8 +105,8 @@ TEST(EdgeTrust, MissingPostsAtTheRimAreAnEdgeAndHolesAreNot)
     Trust trust(field, 100.0, method);
     EXPECT_TRUE(std::isnan(trust.At(5, 30)));
     EXPECT_TRUE(std::isnan(trust.At(30, 40)));
-    // The nearest post decides where the edge is not the field's own: half a post is 3 degrees here.
-    // Sweep and pyramid find a horizon beyond it, of heights that they interpolate.
+    // Where the edge lies inside the field, the nearest post decides: half a post is 3 degrees
+    // here. Sweep and pyramid find a horizon beyond the edge, from interpolated heights.
     if (method <= vtkHeightFieldAlgorithm::FAST)
     {
       EXPECT_NEAR(trust.At(10, 30), 0.5, 3.0 * OneAzimuth) << method;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bad input: one line that says what is wrong, and an empty output. Abort and progress.
+// Bad input leads to one line that says what is wrong, and to an empty output. Also tests
+// cancellation and progress.
 #include "FilterTesting.h"
 
 #include "Data/ImageGeoreference.h"
@@ -56,7 +57,7 @@ TEST(FilterInput, HeightsOfNoBody)
   ExpectRefusal(filter, "every post is missing");
 }
 
-// A crop by VTK leaves the place of the whole raster, by which distances would be wrong.
+// A crop made by VTK keeps the georeference of the whole raster, which would give wrong distances.
 TEST(FilterInput, ACropWithThePlaceOfTheWhole)
 {
   const auto image = ImageOf<vtkFloatArray>(shapes::Plane(20, 30, 1.0, 0.3, -0.2));
@@ -66,7 +67,7 @@ TEST(FilterInput, ACropWithThePlaceOfTheWhole)
   vtkNew<vtkHeightFieldHorizon> filter;
   filter->SetInputConnection(crop->GetOutputPort());
   filter->Update();
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 120); // no place, nothing wrong
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 120); // no georeference, no error
 
   Georeference place;
   place.Columns = image->GetDimensions()[0];
@@ -89,7 +90,7 @@ TEST(FilterInput, NoHeights)
   ExpectRefusal(filter, "no heights");
 }
 
-// Two processes get the two parts of what one process gets.
+// Two processes get the two parts of the result of one process.
 TEST(FilterInput, Pieces)
 {
   const auto image = ImageOf<vtkFloatArray>(shapes::Plane(9, 12, 1.0, 0.3, -0.2));
@@ -113,7 +114,7 @@ TEST(FilterInput, Pieces)
       EXPECT_EQ(found->GetComponent(post, 5), wanted->GetComponent(whole, 5));
     }
   }
-  EXPECT_EQ(posts, image->GetNumberOfPoints() + 9); // the row where they meet is in both
+  EXPECT_EQ(posts, image->GetNumberOfPoints() + 9); // the row between them belongs to both
 }
 
 TEST(FilterInput, Slices)
@@ -210,7 +211,7 @@ TEST(FilterRun, ReportsProgressAndStops)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
-// A change of the sun alone searches its swath alone.
+// A change of the sun alone only searches the swath of the sun.
 TEST(FilterRun, TheSunSearchesItsSwathOnly)
 {
   vtkNew<vtkHeightFieldSunShadow> filter;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Houses on the height field cast shadows, on the ground and on each other.
+// Houses on the height field cast shadows on the ground and on each other.
 #include "FilterTesting.h"
 
 #include "vtkCellArray.h"
@@ -45,7 +45,7 @@ vtkSmartPointer<vtkPolyData> NoObjects()
   return objects;
 }
 
-// A plain at 10 m with posts every half metre from (100, 200) on.
+// A plain at 10 m with posts every half metre, starting at (100, 200).
 vtkSmartPointer<vtkImageData> Plain()
 {
   oracle::OracleField field = shapes::Plane(81, 61, 0.5, 0.0, 0.0);
@@ -63,7 +63,7 @@ TEST(HeightFieldCap, RaisesThePostsUnderARoof)
   AddRoof(objects, { 100.1, 200.1, 100.4, 229.9 }, 50.0, 50.0); // between posts
   AddRoof(objects, { 90.0, 190.0, 102.0, 203.0 }, 20.0, 20.0);  // partly outside, over a hole
   AddRoof(objects, { 500.0, 500.0, 510.0, 510.0 }, 20.0, 20.0); // outside
-  AddRoof(objects, { 110.0, 210.0, 110.0, 220.0 }, 0.0, 99.0);  // upright
+  AddRoof(objects, { 110.0, 210.0, 110.0, 220.0 }, 0.0, 99.0);  // vertical
   vtkNew<vtkHeightFieldCap> cap;
   cap->SetInputData(Plain());
   cap->SetObjectsData(objects);
@@ -91,7 +91,7 @@ TEST(HeightFieldCap, RaisesThePostsUnderARoof)
   }
 }
 
-// The paper's figure 8: a house with a chimney; the sun in the west at 45 degrees.
+// Figure 8 of the paper: a house with a chimney; the sun is in the west at 45 degrees.
 TEST(HeightFieldCap, ChimneyShadesTheRoofAndTheGround)
 {
   const auto objects = NoObjects();
@@ -113,7 +113,7 @@ TEST(HeightFieldCap, ChimneyShadesTheRoofAndTheGround)
   points->InsertNextPoint(123.0, 215.0, 10.0); // ground, 3 m behind the house of 6 m
   points->InsertNextPoint(123.0, 215.0, 13.5); // above the shadow of the house there
   points->InsertNextPoint(127.0, 215.0, 10.0); // ground, 7 m behind it
-  points->InsertNextPoint(105.0, 215.0, 10.0); // before it
+  points->InsertNextPoint(105.0, 215.0, 10.0); // on the sunny side of the house
   vtkNew<vtkPolyData> cloud;
   cloud->SetPoints(points);
   vtkNew<vtkHeightFieldShadowReceiver> receiver;

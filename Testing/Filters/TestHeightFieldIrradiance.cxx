@@ -24,7 +24,7 @@ namespace testing
 namespace
 {
 
-// Sums of floats over a hundred azimuths.
+// The error of sums of floats over a hundred azimuths.
 constexpr double SumError = 2.0e-5;
 
 vtkSmartPointer<vtkImageData> Terrain()
@@ -37,7 +37,7 @@ vtkSmartPointer<vtkImageData> Level(int side = 21, double spacing = 10.0)
   return ImageOf<vtkFloatArray>(shapes::Plane(side, side, spacing, 0.0, 0.0));
 }
 
-// A light map as the reader gives it, row 0 at the bottom.
+// A light map as the reader provides it, with row 0 at the bottom.
 vtkSmartPointer<vtkImageData> MapImage(OwnedMap& map)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -66,7 +66,7 @@ struct Lit
     this->Filter->SetInputData(terrain);
     this->Filter->AddLight(light);
   }
-  // Red, green or blue of a post.
+  // The red, green or blue irradiance of a post.
   double At(vtkIdType post, int color = 0)
   {
     this->Filter->Update();
@@ -129,13 +129,14 @@ TEST(Irradiance, SunIsItsLitPartTimesTheCosine)
 
 TEST(Irradiance, SettingSunIsCutOnceNotTwice)
 {
-  // Level ground hides the lower half of a sun on the horizon; the plane of the receiver is the
-  // same ground. Of a disc of radius r, Int over its upper half of sin e is r^3 2/3 of radiance.
+  // Level ground hides the lower half of a sun on the horizon, and the receiver lies in this
+  // ground. For a disc with the radius r, the integral of sin e over its upper half is 2/3 r^3 per
+  // radiance.
   vtkNew<vtkSkylineSunLight> sun;
   sun->SetElevation(0.0);
   const double r = sun->GetAngularRadius() * RadiansPerDegree;
   EXPECT_NEAR(Lit(Level(), sun).At(220) / (2.0 / 3.0 * r / Pi), 1.0, 2.0e-3);
-  // A sun that has set costs no horizon.
+  // A sun below the horizon needs no horizon search.
   sun->SetElevation(-1.0);
   Lit night(Level(), sun);
   EXPECT_EQ(night.At(220), 0.0);
@@ -144,7 +145,7 @@ TEST(Irradiance, SettingSunIsCutOnceNotTwice)
 
 TEST(Irradiance, KeyLightsOfAllSizesAreInClosedForm)
 {
-  // On open level ground: pi sin^2 r sin e while the disc stands above the horizon.
+  // On open level ground the irradiance is pi sin^2 r sin e while the disc is above the horizon.
   for (const double radius : { 0.5, 2.9, 3.1, 10.0, 40.0 })
   {
     vtkNew<vtkSkylineKeyLight> key;
@@ -153,14 +154,14 @@ TEST(Irradiance, KeyLightsOfAllSizesAreInClosedForm)
     key->SetAngularRadius(radius);
     const double reach = std::sin(radius * RadiansPerDegree);
     const double truth = Pi * reach * reach * std::sin(45.0 * RadiansPerDegree);
-    // Pixels of a sixteenth of the radius.
+    // The pixels are a sixteenth of the radius.
     EXPECT_NEAR(Lit(Level(), key).At(220) / truth, 1.0, 3.0e-3) << radius;
   }
 }
 
 TEST(Irradiance, LampOverLevelGroundIsInClosedForm)
 {
-  // Radiance pi r^2 / d^2 cos: height 50 over the post beside.
+  // Closed form: radiance pi r^2 / d^2 cos. The lamp is 50 m above the neighbouring post.
   vtkNew<vtkSkylineLampLight> lamp;
   lamp->SetPosition(100.0, 100.0, 50.0);
   lamp->SetRadius(5.0);
@@ -178,7 +179,7 @@ TEST(Irradiance, LampHeightsCountFromTheHeightsOwnZero)
   const auto high = ImageOf<vtkDoubleArray>(shapes::Plane(21, 21, 10.0, 0.1, 0.0), 1.0e6);
   high->SetOrigin(0.0, 0.0, 0.0);
   const double truth = Lit(high, lamp).At(10 * 21 + 7);
-  // The image's origin moves posts and lamp alike.
+  // The origin of the image moves the posts and the lamp equally.
   high->SetOrigin(5.0e5, -3.0e5, 0.0);
   lamp->SetPosition(5.0e5 + 100.0, -3.0e5 + 100.0, 1.0e6 + 50.0);
   EXPECT_NEAR(Lit(high, lamp).At(10 * 21 + 7), truth, 1.0e-6);
@@ -201,7 +202,8 @@ TEST(Irradiance, LightsAddUp)
     sum += Lit(terrain, light).At(1000, 1);
     together.Filter->AddLight(light);
   }
-  // Azimuths that the key light asks for serve the sky too, a bit better.
+  // The azimuths that the key light needs are used for the sky too, which makes it slightly more
+  // accurate.
   EXPECT_NEAR(together.At(1000, 1), sum, 2.0e-3 * sum);
   EXPECT_EQ(together.Filter->GetNumberOfLights(), 4);
   EXPECT_EQ(together.Filter->GetEnvironmentPasses(), 1);
@@ -249,7 +251,7 @@ TEST(Irradiance, LightsShareThePyramid)
 
 TEST(Irradiance, ChangedHeightsAreNoticedWhoeverIsTold)
 {
-  // Heights written in place, as from Python, with no word to their array.
+  // Heights that are changed in place, as Python does, without a call of Modified.
   const auto terrain = Terrain();
   vtkNew<vtkSkylineEnvironmentLight> sky;
   Lit lit(terrain, sky);
@@ -279,7 +281,7 @@ TEST(Irradiance, ChangedLightsNeedNoNewHorizons)
     const std::vector<float> before = lit.All();
     const int searched = lit.Filter->GetSearchedAzimuths();
     EXPECT_GE(searched, 32);
-    EXPECT_EQ(lit.All(), before); // nothing changed, nothing ran
+    EXPECT_EQ(lit.All(), before); // nothing changed, so no pass ran
 
     sky->SetRadiance(2.0, 2.0, 2.0);
     const std::vector<float> twice = lit.All();
@@ -288,16 +290,17 @@ TEST(Irradiance, ChangedLightsNeedNoNewHorizons)
     {
       ASSERT_NEAR(twice[i], 2.0f * before[i], 1.0e-4f * before[i] + 1.0e-5f);
     }
-    // Turned, the map's sun asks for azimuths around its new place alone.
+    // After a rotation, the sun of the map only needs azimuths around its new position.
     sky->SetRotation(50.0);
     lit.Filter->Update();
     EXPECT_LT(lit.Filter->GetSearchedAzimuths(), searched - 20);
-    // Without keeping, the table needs them all again; and kept ones gave the same light.
+    // Without stored horizons, the table needs all azimuths again. The result with stored ones was
+    // the same.
     const std::vector<float> kept = lit.All();
     lit.Filter->KeepHorizonsOff();
     EXPECT_EQ(lit.All(), kept);
     EXPECT_EQ(lit.Filter->GetSearchedAzimuths() > 0, method == vtkHeightFieldIrradiance::TABLE);
-    // A moved terrain recomputes all.
+    // A moved terrain causes a full computation.
     lit.Filter->KeepHorizonsOn();
     lit.Filter->Update();
     vtkDataArray* heights = terrain->GetPointData()->GetScalars();
@@ -312,7 +315,7 @@ TEST(Irradiance, ChangedLightsNeedNoNewHorizons)
 
 TEST(Irradiance, HarmonicsComeNearSmoothSkies)
 {
-  // Order 4 errs by 1 %, where a series of the mirrored sky errs by 2 %; more bands by less.
+  // Order 4 has an error of 1 %; a series of the mirrored sky has 2 %. More bands have less.
   const auto terrain = Terrain();
   vtkNew<vtkSkylineEnvironmentLight> sky;
   sky->SetSourceToCie();
@@ -349,7 +352,8 @@ TEST(Irradiance, EvenLightOnOpenGroundIsPiInHarmonicsToo)
 
 TEST(Irradiance, HarmonicsOfOddMapsAreThoseOfTheirUpperHalf)
 {
-  // The middle row of three reaches below the horizon; in six rows its halves are apart.
+  // The middle one of three rows extends below the horizon. With six rows, its two halves are
+  // separate.
   OwnedMap odd(4, 3, 1.0f), even(4, 6, 1.0f);
   for (std::ptrdiff_t row = 0; row < 6; ++row)
   {
@@ -357,7 +361,7 @@ TEST(Irradiance, HarmonicsOfOddMapsAreThoseOfTheirUpperHalf)
     {
       const float light = static_cast<float>(1 + column + 3 * (row / 2));
       odd.At(column, row / 2)[1] = light;
-      even.At(column, row)[1] = row < 3 ? light : 77.0f; // what is below is never seen
+      even.At(column, row)[1] = row < 3 ? light : 77.0f; // light below the horizon is never seen
     }
   }
   std::vector<float> first;
@@ -444,7 +448,7 @@ TEST(Irradiance, MendsBadPixels)
   EXPECT_NEAR(lit.At(220, 2), Pi, SumError);
 }
 
-// What an execution says when it fails.
+// The error message of an execution that fails.
 std::string Refusal(vtkHeightFieldIrradiance* filter)
 {
   vtkNew<ErrorCatcher> errors;

@@ -27,7 +27,7 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
-// Radiance is float, after a dozen operations in double and one product in float.
+// Radiance is a float: a dozen operations in double precision and one product in floats.
 constexpr double RadianceTolerance = 2e-6;
 
 using Height = std::function<double(double x, double y)>;
@@ -136,7 +136,7 @@ TEST_F(Shading, VisibilitiesScaleTheirLights)
   const skyline::Rgb albedo = skyline::ColorAt(*skyline::FindColorMap("gray"), 0.5);
   EXPECT_NEAR(Radiance(this->Filter)->GetComponent(4, 0), albedo[0] * (0.25 * 3.0 / Pi + 0.5 * 0.1),
     RadianceTolerance);
-  // The sky's array can be another one.
+  // The sky can be taken from another array.
   AddConstant(flat, "Overcast", 1.0f);
   this->Filter->SetSkyArrayName("Overcast");
   this->Filter->Update();
@@ -156,14 +156,15 @@ TEST_F(Shading, SunBehindTheSlopeGivesNoLight)
   EXPECT_EQ(Picture(this->Filter)->GetComponent(4, 3), 255.0);
 }
 
-// A plane has the same slopes from one side and from both: a hole must not change its neighbours.
+// A plane has the same slope in one-sided and central differences, so a hole must not change its
+// neighbours.
 TEST_F(Shading, MissingPostsAreTransparentAndTheirNeighboursKeepTheirSlope)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   const auto plane = Field(6, 5, 1.0, 1.0, [&](double x, double y) { return 0.5 * x + 0.25 * y; });
   this->Filter->SetColorMap("gray");
-  this->Filter->SetColorRange(0.0, 1e9); // one colour
+  this->Filter->SetColorRange(0.0, 1e9); // so wide that all posts have one colour
   this->Filter->SetInputData(plane);
   this->Filter->Update();
   const double expected = Radiance(this->Filter)->GetComponent(0, 0);
@@ -190,7 +191,7 @@ TEST_F(Shading, MissingPostsAreTransparentAndTheirNeighboursKeepTheirSlope)
   }
 }
 
-// Bare minimum of data: everything missing still gives a picture, an empty one.
+// If all posts are missing, the picture is empty, but there is one.
 TEST_F(Shading, AllMissingIsAnEmptyPicture)
 {
   this->Filter->SetAutoExposure(true);
@@ -223,7 +224,7 @@ TEST_F(Shading, NothingBurnsOutAtAnyExposure)
   }
 }
 
-// The automatic exposure finds the same picture for any strength of the lights.
+// The automatic exposure makes the same picture for all strengths of the lights.
 TEST_F(Shading, AutoExposureUndoesTheStrengthOfTheLights)
 {
   const auto hills = Field(40, 40, 30.0, 30.0,
@@ -240,7 +241,7 @@ TEST_F(Shading, AutoExposureUndoesTheStrengthOfTheLights)
   EXPECT_NEAR(this->Filter->GetUsedExposure(), used - std::log2(1000.0), 1e-4);
   for (vtkIdType post = 0; post < 1600; ++post)
   {
-    // A rounding of light may cross the border between two codes.
+    // A rounding error of the light can change a code by one.
     EXPECT_NEAR(Picture(this->Filter)->GetComponent(post, 1),
       first->GetPointData()->GetArray("Picture")->GetComponent(post, 1), 1.0);
   }

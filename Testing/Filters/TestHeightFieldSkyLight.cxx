@@ -19,7 +19,7 @@
 namespace
 {
 
-// The tables of ZonalSky.h, and the float sums of 72 azimuths.
+// The error of the tables of ZonalSky.h, and of sums of floats over 72 azimuths.
 constexpr double LightTolerance = 2e-5;
 
 vtkSmartPointer<vtkImageData> Field(
@@ -66,7 +66,7 @@ TEST(SkyLight, LevelGroundGetsAll)
   }
 }
 
-// Another way to the same number.
+// Another method for the same number.
 TEST(SkyLight, UniformSkyIsTheSkyViewFactor)
 {
   const auto hills = Field(40, 30, Hills);
@@ -92,13 +92,13 @@ TEST(SkyLight, UniformSkyIsTheSkyViewFactor)
   }
 }
 
-// Terrain hides the low sky first, which is the dark part of an overcast one.
+// Terrain hides the low part of the sky first, which is the dark part of an overcast sky.
 TEST(SkyLight, OvercastSkyLosesLessBehindHorizons)
 {
   const auto trench =
     Field(41, 41, [](double x, double) { return std::abs(x - 200.0) < 25.0 ? -60.0 : 0.0; });
   double before = 0.0;
-  for (int type : { 5, 3, 1 }) // ever darker towards the horizon
+  for (int type : { 5, 3, 1 }) // each darker towards the horizon than the one before
   {
     vtkNew<vtkHeightFieldSkyLight> filter;
     filter->SetInputData(trench);

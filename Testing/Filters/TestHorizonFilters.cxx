@@ -30,7 +30,8 @@ vtkSmartPointer<vtkImageData> Read(const std::string& name)
   return reader->GetOutput();
 }
 
-// Band `band` of a reference raster (no heights, so not for the reader), row by row from the south.
+// Reads a band of a reference raster, row by row from the south. The reader does not apply, because
+// the values are not heights.
 std::vector<float> ReadBand(const std::string& name, int band)
 {
   GDALAllRegister();
@@ -51,8 +52,8 @@ std::vector<float> ReadBand(const std::string& name, int band)
   return values;
 }
 
-// An implementation apart from this one, on the same triangles: its file is rounded to 0.01 degrees,
-// which alone makes an rmse of 0.01 / sqrt(12) = 0.0029 and errors up to 0.005.
+// The reference is an independent implementation on the same triangles. Its file is rounded to 0.01
+// degrees, which alone makes an RMS error of 0.01 / sqrt(12) = 0.0029 and errors up to 0.005.
 TEST(HorizonFilter, EqualsTheReferenceOfStHelens)
 {
   const auto dem = Read("sthelens_crop160_dem.tif");
@@ -78,7 +79,7 @@ TEST(HorizonFilter, EqualsTheReferenceOfStHelens)
   }
   const double count = 36.0 * static_cast<double>(dem->GetNumberOfPoints());
   EXPECT_LT(std::sqrt(squares / count), 0.0030);
-  EXPECT_LT(worst, 0.0052); // rounding of the file and of float heights
+  EXPECT_LT(worst, 0.0052); // rounding of the file and of heights in floats
 }
 
 TEST(SkyViewFilter, EqualsTheReferenceOfStHelens)
@@ -104,8 +105,8 @@ TEST(SkyViewFilter, EqualsTheReferenceOfStHelens)
   }
 }
 
-// The tilted sky view of a plane away from its edges' influence: an infinite plane has (1 + cos s)/2.
-// On a finite one the azimuths that look uphill still see the plane to its edge.
+// The tilted sky view of a plane, far from its edges: on an infinite plane it is (1 + cos s)/2. On
+// a finite plane, the uphill azimuths still see the plane up to its edge.
 TEST(SkyViewFilter, TiltedPlane)
 {
   const double slope = std::tan(30.0 * Pi / 180.0);
@@ -114,7 +115,7 @@ TEST(SkyViewFilter, TiltedPlane)
   filter->SetNumberOfAzimuths(360);
   filter->Update();
   const vtkIdType middle = 20 * 41 + 20;
-  // Midpoint sums over 360 azimuths of a function with two kinks: h^2 f'' / 12 is below 1e-4.
+  // Midpoint sums over 360 azimuths of a function with two kinks: h^2 f'' / 12 is less than 1e-4.
   EXPECT_NEAR(
     ArrayOf(filter, "SkyViewFactor")->GetValue(middle), 0.5 + 0.5 * std::cos(Pi / 6.0), 1.0e-4);
   EXPECT_NEAR(ArrayOf(filter, "VisibleSkyFraction")->GetValue(middle), 1.0 - 30.0 / 180.0, 1.0e-4);
@@ -190,7 +191,7 @@ TEST(Filters, TakeEveryTypeOfHeight)
   EXPECT_EQ(horizonOf(ImageOf<vtkFloatArray>(field)), fromDouble);
   EXPECT_EQ(horizonOf(ImageOf<vtkShortArray>(field)), fromDouble);
   EXPECT_EQ(horizonOf(ImageOf<vtkIntArray>(field)), fromDouble);
-  // 1e7 m higher, in double: the same bits, for integers stay exact.
+  // 1e7 m higher, in double precision: the bits are the same, because integers are exact.
   EXPECT_EQ(horizonOf(ImageOf<vtkDoubleArray>(field, 1.0e7)), fromDouble);
 }
 
@@ -213,8 +214,9 @@ TEST(Filters, DoNotDependOnTheOrigin)
     0);
 }
 
-// A raster of degrees whose rows have their own width: each row's horizon is the one that the oracle
-// finds with that row's spacing. The bands stay within 0.05 % of it: 0.0143 degrees at 45.
+// A raster in degrees, whose rows have different widths: the horizon of each row is that of the
+// oracle with the spacing of the row. The bands of rows stay within 0.05 % of the spacing: 0.0143
+// degrees at 45 degrees.
 TEST(HorizonFilter, RowsHaveTheirOwnSpacing)
 {
   oracle::OracleField field = shapes::Fractal(50, 90, 100.0, 2000.0, 6);
@@ -251,7 +253,8 @@ TEST(HorizonFilter, RowsHaveTheirOwnSpacing)
 
 TEST(HorizonFilter, CurvatureSinksFarTerrain)
 {
-  // Level ground 100 km wide: at its middle the edge sinks by (1 - k) d / 2R radians.
+  // Level ground 100 km wide: seen from the middle, its edge lies (1 - k) d / 2R radians below the
+  // horizontal.
   const oracle::OracleField field = shapes::Plane(101, 101, 1000.0, 0.0, 0.0);
   const auto image = ImageOf<vtkDoubleArray>(field);
   Georeference place;
@@ -259,7 +262,7 @@ TEST(HorizonFilter, CurvatureSinksFarTerrain)
   place.Earth = true;
   place.Columns = place.Rows = 101;
   place.LatticeColumns = place.LatticeRows = 2;
-  const double side = 100000.0 / 6371000.0 * 180.0 / Pi; // as the image's spacing says
+  const double side = 100000.0 / 6371000.0 * 180.0 / Pi; // degrees, as the spacing
   place.Longitude = { 0.0, side, 0.0, side };
   place.Latitude = { 0.0, 0.0, side, side };
   StoreGeoreference(place, image);
@@ -268,7 +271,7 @@ TEST(HorizonFilter, CurvatureSinksFarTerrain)
   filter->SetNumberOfAzimuths(4);
   filter->Update();
   const vtkIdType middle = 50 * 101 + 50;
-  // The nearest post is the highest of a sinking plain.
+  // On a plain that sinks with distance, the nearest post is the highest.
   const double expected = -std::atan(0.87 * 1000.0 / (2.0 * 6371000.0)) * 180.0 / Pi;
   EXPECT_NEAR(ArrayOf(filter, "HorizonElevation")->GetComponent(middle, 0), expected, 1.0e-6);
   filter->FlatOn();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Irradiance of the filter against a sum over every pixel of the light map above the exact horizon:
-// Documentation/irradiance.md has the same figures on larger scenes.
+// Irradiance of the filter, compared with a sum over all pixels of the light map above the exact
+// horizon. Documentation/irradiance.md gives the same figures for larger scenes.
 #include "FilterTesting.h"
 #include "Reference/LightOracle.h"
 #include "Sky/SkyModel.h"
@@ -18,7 +18,7 @@ namespace testing
 namespace
 {
 
-/// Azimuths of the truth: 14 in a pixel of the map, 0.1 degrees apart.
+/// Azimuths of the reference: 14 per pixel of the map, 0.1 degrees apart.
 constexpr int TruthAzimuths = 3584;
 
 constexpr std::ptrdiff_t MapColumns = 256, MapRows = 128;
@@ -27,15 +27,15 @@ constexpr int Posts = 40;
 
 struct Errors
 {
-  double Median, Most; ///< percent: the middle one, and what 95 in a hundred stay below
+  double Median, Most; ///< percent: the median and the 95th percentile
 };
 
 struct Scene
 {
   oracle::OracleField Field;
   vtkSmartPointer<vtkImageData> Image;
-  std::vector<std::ptrdiff_t> Chosen;       // posts, away from the edge
-  std::vector<std::vector<double>> Horizon; // elevations, radians, of each
+  std::vector<std::ptrdiff_t> Chosen;       // posts away from the edge
+  std::vector<std::vector<double>> Horizon; // for each post, elevations in radians
 
   explicit Scene(const oracle::OracleField& field)
     : Field(field)
@@ -50,7 +50,7 @@ struct Scene
       this->Horizon.emplace_back();
       for (int a = 0; a < TruthAzimuths; ++a)
       {
-        // Between the edges of the strips of BruteLight, in their middle.
+        // In the middle between the edges of the strips of BruteLight.
         const double azimuth = -Pi + 2.0 * Pi * (a + 0.5) / TruthAzimuths;
         this->Horizon.back().push_back(
           std::atan(oracle::HorizonSlope(field, column, row, azimuth)));
@@ -136,7 +136,7 @@ const Scene& MountStHelens()
   return scene;
 }
 
-// Houses as a surface model of a town has them.
+// Houses, as in the surface model of a town.
 const Scene& Town()
 {
   static const Scene scene(shapes::RandomBoxes(120, 120, 1.0, 150, 12, 15.0, 3));
@@ -150,7 +150,8 @@ OwnedMap Sky(int type)
   return map;
 }
 
-// The bounds that the project sets itself at 128 azimuths, and that errors fall with azimuths.
+// Checks the bounds that the project requires with 128 azimuths, and that errors decrease with more
+// azimuths.
 void Judge(const Scene& scene, OwnedMap map, const Errors& bound)
 {
   const std::vector<Color> truth = scene.Truth(map);

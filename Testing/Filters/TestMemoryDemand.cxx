@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the machine cannot hold is refused before any work, by its bytes and with a cure.
+// Data that exceed the memory are refused before any work. The message states the bytes and what to
+// do.
 #include "Data/MemoryDemand.h"
 #include "FilterTesting.h"
 
@@ -44,7 +45,7 @@ TEST(MemoryDemand, TakesWhatFits)
   EXPECT_GT(FreeMemory(), 0.0);
 }
 
-// A folder in place of / with what Linux would tell.
+// A folder in place of /, with the files in which Linux reports memory.
 class Told
 {
 public:
@@ -79,7 +80,7 @@ TEST(MemoryDemand, MachineWithoutLimits)
   EXPECT_EQ(told.Free(), Machine);
 }
 
-// A container: the path is the host's, the limit stands in the root.
+// In a container, the path is that of the host, and the limit is in the root folder.
 TEST(MemoryDemand, ContainerOfControlGroupsTwo)
 {
   const Told told("memory-two");
@@ -116,7 +117,7 @@ TEST(MemoryDemand, ContainerOfControlGroupsOne)
   EXPECT_EQ(told.Free(), 6.5e8);
 }
 
-// A tenth more than what is free, whatever machine this is; the field itself is small.
+// Ten percent more than the free memory of the machine; the field itself is small.
 TEST(MemoryDemand, FilterRefusesBeforeItSearches)
 {
   constexpr int azimuths = 3600;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The filter against vtkHeightFieldSunShadow: the same posts lie in shadow.
+// Compares the filter with vtkHeightFieldSunShadow: the same posts must be in shadow.
 #include "FilterTesting.h"
 
 #include "vtkFieldData.h"
@@ -22,7 +22,7 @@ namespace testing
 namespace
 {
 
-// Both sides of the axes and diagonals: all octants, and what bounds them.
+// Azimuths on both sides of the axes and diagonals: all octants and their limits.
 const std::vector<double> Azimuths{ 0.0, 20.0, 45.0, 65.0, 90.0, 110.0, 135.0, 155.0, 180.0, 200.0,
   225.0, 245.0, 270.0, 290.0, 315.0, 335.0 };
 
@@ -51,7 +51,8 @@ struct Count
   std::size_t Posts = 0, Dark = 0, Different = 0;
 };
 
-// Posts whose shadow height lies above them, against those that the other filter finds dark.
+// Compares the posts whose shadow height lies above them with those that the other filter finds
+// dark.
 Count Compare(vtkImageData* image, double azimuth, double elevation)
 {
   vtkNew<vtkHeightFieldSunShadow> sun;
@@ -85,9 +86,9 @@ Count Compare(vtkImageData* image, double azimuth, double elevation)
   return count;
 }
 
-// No post is left out, those at the edge of the data and beside missing ones included. What may differ
-// is a post whose horizon meets the sun to the last digit of a float: the one compares slopes, the
-// other heights.
+// No post is left out, not even at the edge of the data or beside missing posts. Only a post whose
+// horizon touches the sun to the last digit of a float may differ, because one filter compares
+// slopes and the other heights.
 constexpr double Grazing = 1.0e-4;
 
 void ExpectTheSamePosts(vtkImageData* image, double elevation)
@@ -151,7 +152,7 @@ TEST(ShadowHeightMap, DoesNotDependOnThreads)
   }
 }
 
-// A ridge of 100 m in the east of a plain at 500 m, the sun behind it.
+// A ridge of 100 m in the east of a plain at 500 m, with the sun behind the ridge.
 vtkSmartPointer<vtkImageData> Ridge()
 {
   oracle::OracleField field = shapes::Plane(201, 31, 2.0, 0.0, 0.0);
@@ -186,7 +187,7 @@ TEST(ShadowHeightMap, LimbsOfARidge)
     EXPECT_NEAR(ArrayOf(map, "ShadowHeightUpper")->GetValue(post), expected(20.5), Metre);
     EXPECT_NEAR(ArrayOf(map, "ShadowHeightLower")->GetValue(post), expected(19.5), Metre);
   }
-  // No terrain lies beyond the last column: its shadow height is its own.
+  // There is no terrain beyond the last column, so its shadow height is its own height.
   EXPECT_EQ(ArrayOf(map, "ShadowHeightUpper")->GetValue(RidgeRow + 200), 600.0f);
   vtkDataArray* sun = map->GetOutput()->GetFieldData()->GetArray("ShadowSun");
   ASSERT_NE(sun, nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light on points above the terrain, and on the terrain itself.
+// Light on points above the terrain and on the terrain itself.
 #include "FilterTesting.h"
 
 #include "vtkHeightFieldReader.h"
@@ -26,7 +26,7 @@ namespace
 
 constexpr double Elevation = 20.0, Radius = 0.5;
 
-// A ridge of 100 m in the east of a plain, the image away from the origin of its frame.
+// A ridge of 100 m in the east of a plain. The origin of the image is not that of its coordinates.
 vtkSmartPointer<vtkImageData> Ridge()
 {
   oracle::OracleField field = shapes::Plane(201, 31, 2.0, 0.0, 0.0);
@@ -59,7 +59,8 @@ struct Scene
     this->Receiver->SetShadowConnection(this->Map->GetOutputPort());
   }
 
-  // Light at points, metres from the ridge of Ridge() or in the image's frame.
+  // The light at points, given in metres from the ridge of Ridge() or in the coordinates of the
+  // image.
   std::vector<double> Lit(const std::vector<std::array<double, 3>>& places)
   {
     vtkNew<vtkPoints> points;
@@ -113,8 +114,9 @@ TEST(ShadowReceiver, PenumbraDepthAsPublished)
   EXPECT_EQ(lit[2], 0.0);
 }
 
-// The ridge stands at atan((100 - z) / d) from a point at height z: the chord model says how much of
-// the disc is free. Floats near 100 m are 8e-6 m apart, penumbrae here 0.1 m deep and more.
+// From a point at the height z, the ridge stands at atan((100 - z) / d). The model of chords gives
+// the visible part of the disc. Floats near 100 m are 8e-6 m apart; the penumbrae here are at least
+// 0.1 m deep.
 TEST(ShadowReceiver, PenumbraOfARidgeAtAnyHeight)
 {
   Scene scene(Ridge());
@@ -140,9 +142,9 @@ TEST(ShadowReceiver, PointsOutsideAreLit)
   EXPECT_EQ(scene.Lit(outside), std::vector<double>(4, 1.0));
   scene.Map->SoftOn();
   EXPECT_EQ(scene.Lit(outside), std::vector<double>(4, 1.0));
-  // The far corner belongs to the image, and nothing shades it.
+  // The far corner belongs to the image and is not in shadow.
   EXPECT_EQ(scene.Lit({ { 5.0e5 + 400.0, 4.0e6 + 60.0, 100.0 } })[0], 1.0);
-  scene.Map->SetSunElevation(0.0); // half risen
+  scene.Map->SetSunElevation(0.0); // half of it above the horizon
   EXPECT_NEAR(scene.Lit(outside)[0], 0.5, 1e-6);
   scene.Map->SetSunElevation(-1.0);
   EXPECT_EQ(scene.Lit(outside)[0], 0.0);
@@ -156,12 +158,13 @@ TEST(ShadowReceiver, MissingPostsShadeNothing)
   const auto image = Ridge();
   image->GetPointData()->GetScalars()->SetComponent(15 * 201 + 170, 0, std::nan(""));
   Scene scene(image);
-  // In the triangle beside the missing post; on the posts around it, the shadow is known.
+  // First a point in the triangle beside the missing post, then one at a neighbouring post, where
+  // the shadow is known.
   EXPECT_EQ(scene.Lit({ Behind(60.5, 0.0) })[0], 1.0);
   EXPECT_EQ(scene.Lit({ { 5.0e5 + 338.0, 4.0e6 + 30.0, 0.0 } })[0], 0.0);
 }
 
-// Posts of the terrain as points: the light that vtkHeightFieldSunShadow finds for them.
+// The points are posts of the terrain: compares the light with that of vtkHeightFieldSunShadow.
 struct Difference
 {
   double Mean = 0.0, Percentile99 = 0.0;
@@ -201,8 +204,9 @@ Difference OnTheGround(vtkImageData* image, double azimuth, double elevation)
   return result;
 }
 
-// The chords see one azimuth of the horizon, the truth nine across the disc: they differ in penumbrae
-// alone, which are a few percent of the posts, and there by how much the horizon leans.
+// The chords use one azimuth of the horizon, the reference nine across the disc. They differ only
+// in penumbrae, which contain a few percent of the posts, by an amount that depends on the tilt of
+// the horizon.
 constexpr double MeanBound = 0.002;
 constexpr double PercentileBound = 0.02;
 
@@ -227,8 +231,8 @@ TEST(ShadowReceiver, AgreesWithSunVisibilityOnTheGround)
   RecordProperty("99 %", std::to_string(percentile));
 }
 
-// Upright edges of houses cut the disc from the side, which chords of one azimuth cannot tell: there a
-// post is lit or not where half of the disc shows.
+// Vertical edges of houses cut the disc from the side, which chords of one azimuth cannot describe:
+// such a post counts as lit or dark although half of the disc is visible.
 constexpr double HousesMeanBound = 0.01;
 
 TEST(ShadowReceiver, AgreesWithSunVisibilityAmongHouses)

@@ -18,7 +18,7 @@ namespace testing
 namespace
 {
 
-// Posts that are lit by more than half of the disc against the oracle's point sun.
+// Compares the posts that see more than half of the disc with the oracle's sun without size.
 double Agreement(
   const oracle::OracleField& field, vtkImageData* image, double azimuth, double elevation)
 {
@@ -39,7 +39,7 @@ double Agreement(
   return static_cast<double>(equal) / static_cast<double>(slopes.size());
 }
 
-// The bound: 99.5 % of the posts, at 15 degrees of sun.
+// 99.5 % of the posts must agree, with the sun at 15 degrees.
 constexpr double AgreementBound = 0.995;
 
 TEST(SunShadow, MaskOfStHelens)
@@ -70,9 +70,9 @@ TEST(SunShadow, MaskOfAHousingEstate)
   }
 }
 
-// A wall of height H stands D away: the disc's centre is cut in half where H / D = tan(elevation).
-// The half-lit line of a long wall, sun straight across it, is at H / tan(elevation) from it, and the
-// penumbra is as wide as the disc.
+// A wall with the height H at the distance D cuts the disc in half where H / D = tan(elevation).
+// Behind a long wall with the sun straight across, the half-lit line lies at H / tan(elevation)
+// from the wall, and the penumbra is as wide as the disc.
 TEST(SunShadow, PenumbraOfAWall)
 {
   const double height = 100.0;
@@ -91,9 +91,9 @@ TEST(SunShadow, PenumbraOfAWall)
   for (std::ptrdiff_t column = 400; column < 700; ++column)
   {
     const double distance = static_cast<double>(800 - column);
-    // A level edge cuts the disc t radii above its centre: lit (acos t - t sqrt(1 - t^2)) / pi. The
-    // wall's top is level but seen under a lower angle to the sides of the disc; over half a degree
-    // that is 1e-5 of the slope.
+    // A level edge t radii above the centre cuts the disc: the visible part is (acos t - t sqrt(1 -
+    // t^2)) / pi. The top of the wall is level, but appears lower towards the sides of the disc;
+    // over half a degree this is 1e-5 of the slope.
     const double t = (std::atan(height / distance) * DegreesPerRadian - 20.0) / 0.5;
     const double lit = t >= 1.0 ? 0.0
       : t <= -1.0               ? 1.0
@@ -102,7 +102,7 @@ TEST(SunShadow, PenumbraOfAWall)
   }
 }
 
-// The sun of the bundled DEM's place: high noon lights every post that midnight darkens.
+// The sun at the place of the included DEM: at noon all posts are lit, at midnight all are dark.
 TEST(SunShadow, TimeOfDay)
 {
   vtkNew<vtkHeightFieldReader> reader;
@@ -123,12 +123,12 @@ TEST(SunShadow, TimeOfDay)
     return sum / static_cast<double>(visibility->GetNumberOfTuples());
   };
   EXPECT_GT(mean("2026-06-21T20:10Z"), 0.99); // solar noon at 122 degrees west
-  EXPECT_EQ(mean("2026-06-21T08:10Z"), 0.0);  // the other side of the day
+  EXPECT_EQ(mean("2026-06-21T08:10Z"), 0.0);  // midnight
   const double morning = mean("2026-06-21T13:00Z");
   EXPECT_GT(morning, 0.1);
   EXPECT_LT(morning, 0.9);
 
-  // A point in the place of the disc: every post is lit or dark.
+  // With a sun without size, each post is either lit or dark.
   filter->TrueRadiusOff();
   filter->SetSunAngularRadius(0.0);
   EXPECT_NEAR(mean("2026-06-21T13:00Z"), morning, 0.01);
@@ -140,7 +140,7 @@ TEST(SunShadow, TimeOfDay)
   }
 }
 
-// The headers write the number again, for those who read them.
+// The public header states this number too.
 TEST(SunShadow, DefaultRadiusIsTheMeanSuns)
 {
   EXPECT_EQ(vtkNew<vtkHeightFieldSunShadow>()->GetSunAngularRadius(), MeanSunRadius);

@@ -29,7 +29,7 @@ oracle::OracleField Hills()
   return field;
 }
 
-// The whole way, from heights to coefficients, against the oracle's horizons in double precision.
+// All steps from heights to coefficients, compared with the oracle's horizons in double precision.
 TEST(VisibilityFilter, ProjectsTheHorizonsOfTheOracle)
 {
   const oracle::OracleField field = Hills();
@@ -64,7 +64,7 @@ TEST(VisibilityFilter, ProjectsTheHorizonsOfTheOracle)
       }
       for (int c = 0; c < 25; ++c)
       {
-        EXPECT_NEAR(found->GetComponent(post, c), truth[c], 5.0e-5); // float heights: 1e-5 rad
+        EXPECT_NEAR(found->GetComponent(post, c), truth[c], 5.0e-5); // heights in floats: 1e-5 rad
       }
     }
   }
@@ -99,7 +99,7 @@ TEST(TransferFilter, UniformSkyIsTheSkyViewFactor)
 TEST(VisibilityFilter, SwathIsAPartOfTheCircle)
 {
   const auto image = ImageOf<vtkFloatArray>(Hills());
-  // 4 azimuths of 40 around: middles at 27, 36, 45 and 54 degrees.
+  // 4 azimuths around 40 degrees: the middles of their swaths are at 27, 36, 45 and 54 degrees.
   vtkNew<vtkHeightFieldVisibility> part;
   part->SetInputData(image);
   part->SetNumberOfAzimuths(4);
@@ -175,7 +175,8 @@ TEST(VisibilityFilter, UnchangedHeightsKeepTheirPyramid)
     return filter->GetPyramidBuilds();
   };
   EXPECT_EQ(builds(), 1);
-  // Another light, another order, other reading of the levels, a mere touch.
+  // Another swath, another number of bands, other settings for reading the levels, and a call of
+  // Modified alone.
   filter->SetSwathWidth(20.0);
   EXPECT_EQ(builds(), 0);
   filter->SetNumberOfBands(3);
@@ -206,7 +207,8 @@ TEST(VisibilityFilter, UnchangedHeightsKeepTheirPyramid)
              static_cast<std::size_t>(kept->GetNumberOfValues()) * sizeof(float)) == 0;
   };
   EXPECT_TRUE(same());
-  // Other levels; other heights, whoever is told; a post that goes missing; another method between.
+  // Other levels; other heights, with and without a call of Modified; a post that becomes missing;
+  // a run of another method in between.
   filter->SetLevelStep(3.0);
   EXPECT_EQ(builds(), 1);
   EXPECT_TRUE(same());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// libFuzzer on the whole command line: any options to any command, over three rasters, of which one is
-// fit. The program must end with 0, 1 or 2, and leave its file only with 0.
+// Runs libFuzzer on the whole command line: any options of any command, with three rasters, of
+// which one is valid. The program must end with the status 0, 1 or 2, and must leave an output file
+// only with 0.
 #include "FuzzTesting.h"
 #include "Interrupt.h"
 
@@ -13,7 +14,7 @@
 
 int SkylineMain(int argc, char** argv); // Tools/Main.cxx, renamed
 
-// In place of Tools/Interrupt.cxx, which takes the alarm that is libFuzzer's clock.
+// Replaces Tools/Interrupt.cxx, whose use of the alarm signal would stop the clock of libFuzzer.
 namespace skyline
 {
 void CatchInterrupts() {}
@@ -28,7 +29,7 @@ void EndIfInterrupted() {}
 namespace
 {
 
-// What numbers may not be, else one run takes the whole night: azimuths, threads.
+// Numbers that are not allowed, because one run would then take hours: many azimuths or threads.
 bool Costly(const std::string& text)
 {
   return text.find_first_of("eExX") != std::string::npos || text.size() > 3;
@@ -92,7 +93,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     {
       continue;
     }
-    // Not the outputs' option: they are those above.
+    // The options for output files are those above.
     if (option.rfind("-o", 0) == 0 || option.rfind("--o", 0) == 0 ||
       option.find('/') != std::string::npos || option.find('\0') != std::string::npos)
     {
@@ -111,7 +112,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   }
   arguments.push_back(nullptr);
 
-  // Its messages go nowhere.
+  // Its messages are discarded.
   const int nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
   const int said = dup(STDERR_FILENO), printed = dup(STDOUT_FILENO);
   dup2(nothing, STDERR_FILENO);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// libFuzzer on the reader of light maps: files of any bytes. What is read is finite and not negative.
+// Runs libFuzzer on the reader of light maps, with any bytes. Values that are read must be finite
+// and not negative.
 #include "FuzzTesting.h"
 
 #include "vtkDataArray.h"
@@ -15,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
 {
   using skyline::testing::Demand;
   static const skyline::testing::FuzzFolder folder;
-  const std::string file = folder.File("map.hdr"); // the bytes tell the format
+  const std::string file = folder.File("map.hdr"); // the content determines the format
   skyline::testing::WriteBytes(file, bytes, size);
 
   vtkNew<vtkSkylineLightMapReader> reader;
@@ -25,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
   if (static_cast<double>(extent[1] + 1) * (extent[3] + 1) > 1.0e6)
   {
-    return 0; // a header may promise much; the fuzzer's memory is small
+    return 0; // the header may claim a large size, and the memory of the fuzzer is small
   }
   skyline::testing::UpdateQuietly(reader);
   vtkDataArray* pixels = reader->GetOutput()->GetPointData()->GetScalars();

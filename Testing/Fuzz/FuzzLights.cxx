@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// libFuzzer on the texts of --lamp, --sun, --time, --sun-radius, --environment, --rotation and
-// --sun-irradiance: either refused in one line, or lights that light a field.
+// Runs libFuzzer on the values of --lamp, --sun, --time, --sun-radius, --environment, --rotation
+// and --sun-irradiance. They must be either refused in one line or describe lights that can light a
+// field.
 #include "Failure.h"
 #include "FuzzTesting.h"
 #include "Lights.h"
@@ -52,7 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     std::string value = input.ConsumeRandomLengthString(40);
     for (char& letter : value)
     {
-      letter = letter == '/' ? '_' : letter; // no file but those of the folder, and there are none
+      letter = letter == '/' ? '_' : letter; // only files of the working folder, which is empty
     }
     arguments.insert(arguments.begin(), name == "--limb-darkening" ? name : name + "=" + value);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// libFuzzer on the reader of height fields. Two kinds of input: whole files, for the driver that their
-// bytes call for; and rasters made here, well-formed to GDAL, with any transform, CRS, nodata, scale,
-// unit and type, which is where Skyline's own reading begins.
+// Runs libFuzzer on the reader of height fields, with two types of input: complete files, whose
+// bytes select the driver, and rasters made here, which are valid for GDAL and have any transform,
+// CRS, nodata value, scale, unit and data type. The latter test Skyline's own code.
 #include "FuzzTesting.h"
 
 #include "vtkHeightFieldHorizon.h"
@@ -22,7 +22,8 @@ namespace
 
 using skyline::testing::Demand;
 
-// Files that are read whole, not lists of files or places on the network: those that heights come in.
+// Drivers of elevation formats whose files are read directly. Formats that refer to other files or
+// to the network are excluded.
 const char* const Drivers[] = { "GTiff", "AAIGrid", "GSAG", "GSBG", "USGSDEM", "SRTMHGT", "MEM" };
 
 void KeepDrivers()
@@ -45,7 +46,7 @@ void KeepDrivers()
   CPLSetErrorHandler(CPLQuietErrorHandler);
 }
 
-// A GeoTIFF whose every property comes from the input.
+// Makes a GeoTIFF whose properties all come from the input.
 void MakeRaster(FuzzedDataProvider& input, const std::string& file)
 {
   const int columns = input.ConsumeIntegralInRange(1, 24);
@@ -116,7 +117,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   }
   const std::string file = "/vsimem/fuzz.tif";
   FuzzedDataProvider input(bytes, size);
-  if (input.ConsumeBool()) // taken from the end
+  if (input.ConsumeBool()) // ConsumeBool takes from the end of the input
   {
     MakeRaster(input, file);
   }
@@ -136,7 +137,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     Demand(image->GetSpacing()[0] > 0.0 && image->GetSpacing()[1] > 0.0, "spacings above 0");
     if (posts[0] <= 64 && posts[1] <= 64)
     {
-      // What was read must be fit for a filter, or be refused by it.
+      // Values that were read must be valid for a filter, or the filter must refuse them.
       vtkNew<vtkHeightFieldHorizon> horizon;
       horizon->SetInputConnection(reader->GetOutputPort());
       horizon->SetNumberOfAzimuths(3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the fuzzers share: a folder of their own, quiet libraries, algorithms that may fail but must say
-// why in one line.
+// Code that all fuzzers share: a temporary folder, silent libraries, and a check that an algorithm
+// that fails reports one line.
 #ifndef skyline_FuzzTesting_h
 #define skyline_FuzzTesting_h
 
@@ -23,7 +23,7 @@ namespace skyline
 namespace testing
 {
 
-/// A new folder in that of temporary files; the process works in it and takes it away at its end.
+/// Makes a temporary folder, in which the process works and which is removed at the end.
 class FuzzFolder
 {
 public:
@@ -52,7 +52,7 @@ inline void WriteBytes(const std::string& file, const std::uint8_t* bytes, std::
     .write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
 }
 
-/// Stops the program, which is how a fuzzer is told of a failure.
+/// Aborts the program, which reports a failure to the fuzzer.
 inline void Demand(bool condition, const char* what)
 {
   if (!condition)
@@ -62,16 +62,16 @@ inline void Demand(bool condition, const char* what)
   }
 }
 
-/// Updates; every error of the algorithm must be one line.
+/// Updates an algorithm. Each of its errors must be one line.
 inline void UpdateQuietly(vtkAlgorithm* algorithm)
 {
-  // Not GlobalWarningDisplayOff, after which no error is raised either.
+  // GlobalWarningDisplayOff would also suppress the error events.
   vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
   vtkNew<vtkCallbackCommand> check;
   check->SetCallback(
     [](vtkObject*, unsigned long, void*, void* text)
     {
-      // VTK's own frame around the reason ends in two line feeds.
+      // The text that VTK adds around the reason ends in two line feeds.
       std::string reason = static_cast<const char*>(text);
       reason = reason.substr(reason.find("): ") == std::string::npos ? 0 : reason.find("): ") + 3);
       reason = reason.substr(0, reason.find_last_not_of('\n') + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Small rasters made on the spot, and what a reader or writer said when it failed.
+// Makes small rasters, and collects the messages of a reader or writer that fails.
 #ifndef skyline_IoTesting_h
 #define skyline_IoTesting_h
 
@@ -35,7 +35,7 @@ namespace skyline_test
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// What an algorithm reports while one of these lives; nothing reaches the terminal.
+/// Collects the errors of an algorithm during its lifetime. Nothing is printed.
 class Errors
 {
 public:
@@ -46,8 +46,8 @@ public:
     this->Own->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
       { static_cast<Errors*>(self)->Texts.emplace_back(static_cast<const char*>(text)); });
     algorithm->AddObserver(vtkCommand::ErrorEvent, this->Own);
-    algorithm->AddObserver(vtkCommand::WarningEvent, this->Executive); // heard by TestReaderDoubts
-    // The executive adds "returned failure", which is VTK's and not ours.
+    algorithm->AddObserver(vtkCommand::WarningEvent, this->Executive); // for TestReaderDoubts
+    // Ignores the message "returned failure", which VTK's executive adds.
     this->Executive->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
     algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Executive);
   }
@@ -62,7 +62,7 @@ public:
 
   std::size_t Count() const { return this->Texts.size(); }
 
-  /// The first message without VTK's file, line and class in front.
+  /// The first message, without the file, line and class that VTK adds.
   std::string First() const
   {
     if (this->Texts.empty())
@@ -92,7 +92,7 @@ inline std::string DataPath(const std::string& name)
   return std::string(SKYLINE_TEST_DATA) + "/" + name;
 }
 
-/// An empty folder of this test's own.
+/// Makes an empty folder for this test alone.
 inline std::string FreshFolder(const std::string& name)
 {
   const std::string folder = OutputPath(name);
@@ -111,7 +111,7 @@ inline std::vector<std::string> FilesIn(const std::string& folder)
   return names;
 }
 
-/// A raster to make: value(column, line) with line 0 the file's first.
+/// Describes a raster. Value is a function of column and line; line 0 is the first of the file.
 struct Recipe
 {
   int Columns = 5, Lines = 4;
@@ -135,7 +135,7 @@ inline OGRSpatialReference CrsFrom(const std::string& text)
   return crs;
 }
 
-/// Fills an open dataset; closes it.
+/// Writes the data of an open dataset and closes it.
 inline void Fill(GDALDataset* dataset, const Recipe& recipe)
 {
   if (!recipe.Crs.empty())
@@ -191,7 +191,7 @@ inline std::string Make(const Recipe& recipe, const std::string& name = "/vsimem
   return name;
 }
 
-/// A reader that has read, and must have succeeded.
+/// Reads a file, and checks that this succeeds.
 inline vtkSmartPointer<vtkHeightFieldReader> Read(const std::string& file, int band = 1)
 {
   auto reader = vtkSmartPointer<vtkHeightFieldReader>::New();

@@ -99,7 +99,7 @@ TEST(AtomicFile, KeepsModeAndLink)
   ASSERT_EQ(::stat(target.c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0604u);
 
-  // A new file gets what the umask leaves.
+  // A new file gets the permissions that the umask allows.
   const mode_t old = ::umask(027);
   AtomicFile fresh(folder + "/fresh.tif");
   ::umask(old);
@@ -118,7 +118,7 @@ TEST(AtomicFile, KeepsNeitherSetuidNorMoreThanTheOldRights)
   Put(file.GetPath() + ".aux.xml", "side");
   struct stat status;
   ASSERT_EQ(::stat(file.GetPath().c_str(), &status), 0);
-  EXPECT_EQ(status.st_mode & 07777, 0600u) << "the temporary is the user's alone";
+  EXPECT_EQ(status.st_mode & 07777, 0600u) << "the temporary file is readable by the user alone";
   file.Commit();
   for (const char* suffix : { "", ".aux.xml" })
   {
@@ -143,7 +143,8 @@ TEST(AtomicFile, DanglingLinksAndLoops)
   EXPECT_NE(ReasonFor(folder + "/loop.tif").find("symbolic links; choose"), std::string::npos);
 }
 
-// What a descriptor of the process names gets the bytes where it stands.
+// A path of a file descriptor of the process (/dev/fd/N): the bytes are written at its current
+// position.
 TEST(AtomicFile, Descriptors)
 {
   const std::string folder = FreshFolder("descriptor");
@@ -173,7 +174,7 @@ TEST(AtomicFile, APipeIsFilledWhoseReaderComesLater)
   const pid_t child = ::fork();
   if (child == 0)
   {
-    ::usleep(300000); // the reader may come later
+    ::usleep(300000); // the reader may be started later
     ::_exit(Get(folder + "/pipe") == "result" ? 0 : 1);
   }
   AtomicFile file(folder + "/pipe");
@@ -184,7 +185,8 @@ TEST(AtomicFile, APipeIsFilledWhoseReaderComesLater)
   EXPECT_EQ(status, 0);
 }
 
-// The temporary of a process that was killed goes, those that are held stay, in whatever process.
+// Temporary files of a killed process are removed. Those that a running process holds stay,
+// whichever process that is.
 TEST(AtomicFile, SweepsWhatTheDeadLeft)
 {
   const std::string folder = FreshFolder("sweep");
@@ -204,7 +206,7 @@ TEST(AtomicFile, SweepsWhatTheDeadLeft)
   }
   ::close(ready[1]);
   char none;
-  EXPECT_EQ(::read(ready[0], &none, 1), 0); // until the child has it
+  EXPECT_EQ(::read(ready[0], &none, 1), 0); // waits until the child process has it
   ::close(ready[0]);
   const AtomicFile mine(folder + "/mine.tif");
   {
@@ -221,8 +223,8 @@ TEST(AtomicFile, SweepsWhatTheDeadLeft)
   EXPECT_EQ(FilesIn(folder).size(), 1u);
 }
 
-// Side files of a raster that a killed process was about to replace get their names back; those of one
-// that it had replaced go.
+// If a killed process was about to replace a raster, its side files get their names back. If it had
+// already replaced the raster, they are removed.
 TEST(AtomicFile, SideFilesComeBackAfterAKill)
 {
   const std::string folder = FreshFolder("aside");
@@ -240,7 +242,7 @@ TEST(AtomicFile, SideFilesComeBackAfterAKill)
   EXPECT_EQ(Get(folder + "/again.tif.msk"), "newer mask");
 }
 
-// Signals that nobody caught end the process as before, but without temporaries.
+// Signals without a handler end the process as usual, but the temporary files are removed.
 TEST(AtomicFile, DefaultSignalsLeaveNothing)
 {
   const std::string folder = FreshFolder("default");
@@ -260,7 +262,7 @@ TEST(AtomicFile, DefaultSignalsLeaveNothing)
     EXPECT_EQ(WTERMSIG(status), number);
     EXPECT_TRUE(FilesIn(folder).empty()) << number;
   }
-  // Afterwards handlers are as they were; those of the program are never touched.
+  // Afterwards the signal handlers are restored. Handlers of the program are never changed.
   std::signal(SIGHUP, SIG_IGN);
   {
     const AtomicFile file(folder + "/out.tif");
@@ -301,7 +303,7 @@ TEST(AtomicFile, UnwritableFolder)
   EXPECT_NE(reason.find("Permission denied; choose"), std::string::npos) << reason;
 }
 
-// A device gets the bytes and stays a device.
+// A device receives the bytes and stays a device.
 TEST(AtomicFile, Devices)
 {
   AtomicFile null("/dev/null");
@@ -356,7 +358,8 @@ TEST(AtomicFile, SignalHandlersCanTidyUp)
   EXPECT_EQ(FilesIn(folder), std::vector<std::string>{ "done.tif" });
 }
 
-// More at a time than the list holds: they still work, only a signal would miss them.
+// More files at a time than the list can hold: they still work, but a signal would not remove the
+// rest.
 TEST(AtomicFile, ManyAtOnce)
 {
   const std::string folder = FreshFolder("many");

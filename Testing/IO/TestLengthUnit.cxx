@@ -35,7 +35,8 @@ TEST(LengthUnit, Metres)
   EXPECT_EQ(Metres("km"), 1000.0);
 }
 
-// The two feet differ by 2e-6: 6 mm on Everest, but a wrong one is a wrong one.
+// The two feet differ by 2e-6, which is 18 mm for the height of Mount Everest, but they must not be
+// confused.
 TEST(LengthUnit, FeetAreTwo)
 {
   for (const char* name : { "ft", "foot", "Feet", "international foot", "international_feet" })

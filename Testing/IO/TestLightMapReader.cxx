@@ -28,13 +28,13 @@ using skyline::ViewLightMap;
 namespace
 {
 
-/// Half a unit in the last of 11 bits.
+/// Half a unit in the last place of 11 bits.
 constexpr double HalfBound = 1.0 / 2048.0;
 
-/// Radiance stores 8 bits under the greatest channel's exponent.
+/// Radiance files store 8 bits with the exponent of the greatest channel.
 constexpr double RgbeBound = 1.0 / 128.0;
 
-/// An image to write; value(column, line, channel) with line 0 at the top.
+/// An image to write. Value is a function of column, line and channel; line 0 is the top.
 struct Picture
 {
   int Columns = 8, Lines = 4, Channels = 3;
@@ -66,7 +66,7 @@ std::string Write(const std::string& name, const Picture& picture)
   }
   if (picture.Mips)
   {
-    spec.attribute("textureformat", "LatLong Environment"); // allows for levels
+    spec.attribute("textureformat", "LatLong Environment"); // allows mipmap levels
   }
   if (picture.EnvironmentCube)
   {
@@ -102,7 +102,7 @@ std::string Write(const std::string& name, const Picture& picture)
       {
         for (int channel = 0; channel < picture.Channels; ++channel)
         {
-          // Coarser levels hold something else, to be noticed.
+          // Coarser levels hold other values, so that reading them would be noticed.
           values.push_back(
             static_cast<float>(picture.Value(column, line, channel) + 1000.0 * level));
         }
@@ -237,7 +237,7 @@ TEST(LightMapReader, RowZeroOfTheImageIsTheNadir)
   EXPECT_EQ(radiance->GetDataType(), VTK_FLOAT);
   EXPECT_EQ(radiance->GetNumberOfComponents(), 3);
   EXPECT_EQ(radiance->GetComponent(0, 0), picture.Value(0, 3, 0));
-  // Points lie at azimuth and elevation of the pixels' middles, degrees.
+  // Points lie at the azimuth and elevation of the centres of the pixels, in degrees.
   const double coordinateBound = 1e-12;
   EXPECT_NEAR(image->GetPoint(0)[0], -180.0 + 22.5, coordinateBound);
   EXPECT_NEAR(image->GetPoint(0)[1], -90.0 + 22.5, coordinateBound);
@@ -308,7 +308,8 @@ TEST(LightMapReader, HugeSunStaysAsItIs)
 
 TEST(LightMapReader, OpenExrCube)
 {
-  // Each face its own grey; the display window is one face, as in OpenEXR's own images.
+  // Each face has its own grey value. The display window is one face, as in the images of the
+  // OpenEXR project.
   Picture picture;
   picture.Columns = 16;
   picture.Lines = 96;
@@ -322,7 +323,7 @@ TEST(LightMapReader, OpenExrCube)
   ASSERT_EQ(size[0], 64);
   ASSERT_EQ(size[1], 32);
   const LightMap map = ViewLightMap(reader->GetOutput());
-  const double energyBound = 1.0e-2; // faces' edges are blurred, then all is scaled
+  const double energyBound = 1.0e-2; // edges of faces are blurred, then all is scaled
   EXPECT_NEAR(map.Pixel(16, 16)[0], 1.0, energyBound) << "+X: west";
   EXPECT_NEAR(map.Pixel(16, 48)[0], 2.0, 2.0 * energyBound) << "-X: east";
   EXPECT_NEAR(map.Pixel(0, 5)[0], 3.0, 3.0 * energyBound) << "+Y: up";
@@ -351,13 +352,13 @@ TEST(LightMapReader, CrossOfAnHdrFile)
   EXPECT_NEAR(map.Pixel(0, 9)[0], 1.0, bound) << "up";
 }
 
-// Pixels may be part of the display window, or more than it.
+// The pixels may cover only a part of the display window, or more than it.
 TEST(LightMapReader, DisplayWindowIsTheSphere)
 {
   Picture picture;
   picture.Columns = 4;
   picture.Lines = 3;
-  picture.FullX = -2; // the pixels begin two columns right of and one row below the window's corner
+  picture.FullX = -2; // the pixels begin two columns right of the window's corner and one row below
   picture.FullY = -1;
   picture.FullColumns = 8;
   picture.FullLines = 4;
@@ -453,7 +454,8 @@ TEST(LightMapReaderFailures, ZeroSized)
   }
 }
 
-// What a damaged header may say; nothing of that size may be filled before the pixels are there.
+// Sizes that a damaged header may state. No memory of this size may be filled before the pixels are
+// read.
 TEST(LightMapReaderFailures, HugeHeader)
 {
   const std::string path = OutputPath("huge.hdr");
@@ -489,7 +491,7 @@ TEST(LightMapReaderFailures, ClaimsBeyondTheFile)
   ExpectFailure(tiled, vtkErrorCode::FileFormatError, "tiles with 3 channels take 768 MB");
 }
 
-// It would wait for a writer.
+// Reading a pipe would wait for a writer.
 TEST(LightMapReaderFailures, Pipe)
 {
   const std::string path = FreshFolder("pipes") + "/pipe.exr";
@@ -505,7 +507,7 @@ TEST(LightMapReaderFailures, NotTwoToOneAndNoCube)
   picture.Columns = 4;
   ExpectFailure(Write("square.exr", picture), vtkErrorCode::FileFormatError, "4 x 4 pixels");
   picture.Columns = 16;
-  picture.Lines = 12; // as a photograph
+  picture.Lines = 12; // the size of a photograph
   ExpectFailure(Write("photo.exr", picture), vtkErrorCode::FileFormatError, "not a cross");
 }
 

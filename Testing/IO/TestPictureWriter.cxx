@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures, read back by GDAL (PNG and TIFF) and by the numbers in the file (EXR).
+// Pictures, read back with GDAL (PNG and TIFF) or from the bytes of the file (EXR).
 #include "IoTesting.h"
 
 #include "vtkDoubleArray.h"
@@ -96,11 +96,11 @@ TEST(PictureWriter, PngKeepsItsBytesWithNorthOnTop)
 {
   for (const int components : { 1, 3, 4 })
   {
-    // Alpha below 255 must not be multiplied into the colours.
+    // Colours must not be multiplied by an alpha below 255.
     const auto value = [](int column, int row, int c)
     { return c == 3 ? 100.0 + column : Byte(column, row, c); };
     const std::string file = Write(Image<vtkUnsignedCharArray>(components, value), "bytes.png");
-    vtkNew<vtkPNGReader> reader; // VTK's rows run from the bottom, like ours
+    vtkNew<vtkPNGReader> reader; // VTK's rows begin at the bottom, like those of Skyline
     reader->SetFileName(file.c_str());
     reader->Update();
     vtkImageData* image = reader->GetOutput();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the reader warns of, and what it does not.
+// Cases in which the reader warns, and cases in which it must not.
 #include "IoTesting.h"
 
 #include "vtkFloatArray.h"
@@ -11,7 +11,7 @@ namespace
 
 const std::vector<double> Place{ 500000, 30, 0, 4200000, 0, -30 };
 
-/// The warnings of a reader, one a line, without VTK's words in front.
+/// The warnings of a reader, one per line, without the text that VTK adds.
 std::string WarningsOf(vtkHeightFieldReader* reader)
 {
   std::string text;
@@ -48,7 +48,7 @@ double Hill(int column, int line)
   return 1000.0 + 300.0 * std::sin(0.7 * column) * std::cos(0.9 * line);
 }
 
-/// Hills of 20 x 20 posts with `value` at `posts` of them.
+/// Hills of 20 x 20 posts, of which `posts` have the value `value`.
 Recipe HillsWith(double value, int posts, GDALDataType type = GDT_Float32)
 {
   Recipe recipe;
@@ -82,7 +82,7 @@ TEST(ReaderDoubts, FillValuesAreNamedCountedAndCured)
       const std::size_t cure = warnings.find("--nodata ");
       ASSERT_NE(cure, std::string::npos) << warnings;
       EXPECT_EQ(std::stod(warnings.substr(cure + 9)), fill) << warnings;
-      EXPECT_EQ(WarningsOf(file, { fill }), "") << "the cure helps";
+      EXPECT_EQ(WarningsOf(file, { fill }), "") << "the suggested option removes the warning";
     }
   }
   for (const GDALDataType type : { GDT_Int16, GDT_Int32, GDT_Float64 })
@@ -236,7 +236,7 @@ TEST(ReaderDoubts, DegreesWithoutCrs)
   EXPECT_EQ(WarningsOf(Make(recipe)), "") << "metres from a corner";
 }
 
-// An absurd post is not the relief of a map.
+// A single absurd height must not count as the relief of the map.
 TEST(ReaderDoubts, FillValuesMakeNoDegrees)
 {
   Recipe recipe = HillsWith(-9999.0, 4);
@@ -257,7 +257,7 @@ TEST(ReaderDoubts, HeightsOfAMapInFeet)
   EXPECT_EQ(WarningsOf(Make(recipe)), "");
 }
 
-// The third axis of a CRS of three dimensions, projected and geographic.
+// The vertical axis of a three-dimensional CRS, projected or geographic.
 TEST(ReaderDoubts, HeightsInFeetOfThreeDimensions)
 {
   for (const char* name : { "EPSG:32610", "EPSG:4326" })
@@ -272,7 +272,7 @@ TEST(ReaderDoubts, HeightsInFeetOfThreeDimensions)
     const std::size_t axis = wkt.find("ellipsoidal height");
     const std::size_t unit = wkt.find("LENGTHUNIT[\"metre\",1", axis);
     ASSERT_NE(unit, std::string::npos) << wkt;
-    const std::size_t end = wkt.find("]]", unit); // with an identifier inside, or at once
+    const std::size_t end = wkt.find("]]", unit); // the unit may contain an identifier
     const bool identified = wkt.substr(unit, end - unit).find("ID[") != std::string::npos;
     wkt.replace(unit, end + (identified ? 2 : 1) - unit, "LENGTHUNIT[\"foot\",0.3048]");
     GDALAllRegister();
@@ -282,7 +282,7 @@ TEST(ReaderDoubts, HeightsInFeetOfThreeDimensions)
     {
       recipe.Transform = { -120, 0.001, 0, 40, 0, -0.001 };
     }
-    // In memory: a GeoTIFF of older libraries forgets the third axis.
+    // In memory, because older libraries do not store the third axis in a GeoTIFF.
     GDALDataset* dataset = GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
       "/vsimem/posts.tif", 20, 20, 1, GDT_Float32, nullptr);
     Recipe bare = HillsWith(0.0, 0);
@@ -357,7 +357,7 @@ TEST(ReaderDoubts, Pictures)
     "assuming its values are heights\n");
 }
 
-// Once an execution, and nothing when only information is asked for.
+// Warnings are raised once per execution, and not if only information is requested.
 TEST(ReaderDoubts, AreRaisedOnce)
 {
   vtkNew<vtkHeightFieldReader> reader;

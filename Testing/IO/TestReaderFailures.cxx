@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every bad input has one line that names the file, the value and the cure.
+// Each bad input leads to one line that names the file, the value and what to do.
 #include "IoTesting.h"
 
 #include <fstream>
@@ -43,7 +43,7 @@ void ExpectRefusal(const Recipe& recipe, const std::string& words)
   ExpectFailure(Make(recipe), vtkErrorCode::FileFormatError, words);
 }
 
-/// A VRT over a raster, with the given elements in front of the band.
+/// Makes a VRT of a raster, with the given elements before the band.
 std::string Wrap(const std::string& elements)
 {
   Make(Recipe(), "/vsimem/wrapped.tif");
@@ -64,7 +64,8 @@ TEST(ReaderFailures, ClassicNetcdfThatCountsTooMuch)
   const auto put = [](const char* name, char variables, char most)
   {
     const std::string file = ::testing::TempDir() + name;
-    // No records, dimensions and attributes; then variables, as many as the first and last byte say.
+    // No records, dimensions or attributes, then variables, whose number stands in the first and
+    // last byte.
     const char header[] = { 'C', 'D', 'F', 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
       0, 0, 0, 0, 0, 11, most, 0, 0, variables };
     std::ofstream(file, std::ios::binary).write(header, sizeof(header));
@@ -143,7 +144,7 @@ TEST(ReaderFailures, AllMissing)
   ExpectRefusal(recipe, "missing");
 }
 
-// A part without heights is no error: the whole has some.
+// A part without heights is no error if the whole has some.
 TEST(ReaderFailures, APartMayBeAllMissing)
 {
   Recipe recipe;
@@ -167,7 +168,7 @@ TEST(ReaderFailures, RotatedAndSheared)
     recipe.Transform = transform;
     ExpectRefusal(recipe, "rotated or sheared");
   }
-  // A rounding error of a program that multiplied by a cosine is no rotation.
+  // A rounding error of a program that multiplied by a cosine does not count as a rotation.
   recipe.Transform = { 0, 10, 1e-12, 0, 1e-12, -10 };
   EXPECT_EQ(HeightAt(ReadImage(recipe), 0, 0), 30.0);
 }
@@ -219,7 +220,8 @@ TEST(ReaderFailures, NoPlaceOnTheBody)
   ExpectRefusal(recipe, "has no longitude and latitude");
 }
 
-// Goode's map is torn along 40 degrees west north of the equator and along 20 degrees west south of it.
+// Goode's map is interrupted at 40 degrees west in the northern hemisphere and at 20 degrees west
+// in the southern.
 TEST(ReaderFailures, TornMap)
 {
   Recipe recipe;
@@ -255,7 +257,7 @@ TEST(ReaderFailures, ComplexNumbers)
 
 TEST(ReaderFailures, SubdatasetsAreNamed)
 {
-  // A GeoPackage with two rasters has no band of its own.
+  // A GeoPackage with two rasters has no band that can be read directly.
   GDALAllRegister();
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
   if (!driver)
@@ -278,7 +280,7 @@ TEST(ReaderFailures, SubdatasetsAreNamed)
     file, vtkErrorCode::FileFormatError, "it holds 2 rasters; name one, such as 'GPKG:");
 }
 
-// A reader that failed works again once its file is right.
+// A reader that failed works again when its file has been corrected.
 TEST(ReaderFailures, Recovers)
 {
   vtkNew<vtkHeightFieldReader> reader;

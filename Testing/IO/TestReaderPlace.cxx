@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the posts lie: spacing, bodies, longitudes, convergence.
+// The positions of the posts: spacing, bodies, longitudes, convergence.
 #include "IoTesting.h"
 
 #include "Shared/Constants.h"
@@ -13,7 +13,7 @@ using skyline::RadiansPerDegree;
 namespace
 {
 
-/// Metres, relative: row spacings are measured over a pixel by geodesics good to nanometres, and a
+/// Relative. Row spacings are measured over a pixel by geodesics with errors of nanometres, and a
 /// chord of a parallel is shorter than the parallel by (pixel / 24 radius)^2.
 constexpr double SpacingTolerance = 1e-6;
 
@@ -33,7 +33,7 @@ void ExpectRelative(double value, double expected, double tolerance)
   EXPECT_NEAR(value, expected, tolerance * std::abs(expected));
 }
 
-/// Metres between meridians one radian apart: N cos(latitude).
+/// Metres between two meridians that are one radian apart: N cos(latitude).
 double ParallelRadius(const Georeference& place, double latitude)
 {
   const double phi = latitude * RadiansPerDegree;
@@ -53,7 +53,7 @@ TEST(ReaderPlace, NoCrsIsMetres)
   EXPECT_FALSE(nothing.OnBody());
   EXPECT_EQ(bare->GetSpacing()[0], 1.0);
   EXPECT_EQ(bare->GetOrigin()[0], 0.0);
-  EXPECT_EQ(HeightAt(bare, 0, 0), 30.0); // the first line is the northern one
+  EXPECT_EQ(HeightAt(bare, 0, 0), 30.0); // the first line is the northernmost
 
   const auto stretched = ReadAt("", { 100, 2.5, 0, 200, 0, -4 });
   EXPECT_EQ(stretched->GetSpacing()[0], 2.5);
@@ -76,7 +76,7 @@ TEST(ReaderPlace, UtmKeepsItsNominalSpacing)
   EXPECT_EQ(place.GeoTransform, (std::array<double, 6>{ { 557805, 30, 0, 5122005, 0, -30 } }));
 }
 
-// Pixels of a survey need not be square.
+// Pixels of a survey are not always square.
 TEST(ReaderPlace, PixelsThatAreNotSquare)
 {
   const auto image = ReadAt("EPSG:25830", { 499400, 2.502057979, 0, 4797200, 0, -2.502408883 });
@@ -91,12 +91,12 @@ TEST(ReaderPlace, SurveyFeetOnTheMap)
   EXPECT_DOUBLE_EQ(image->GetSpacing()[0], 10 * foot);
   EXPECT_DOUBLE_EQ(image->GetOrigin()[0], 980005 * foot);
   EXPECT_DOUBLE_EQ(image->GetOrigin()[1], 199955 * foot);
-  // The georeference stays the file's own.
+  // The georeference keeps the geotransform of the file.
   EXPECT_EQ(skyline::LoadGeoreference(image).GeoTransform[0], 980000.0);
 }
 
-// Web Mercator at 49 degrees: a pixel is two thirds of what it says. East to west the closed form
-// is step * N cos(latitude) / a.
+// Web Mercator at 49 degrees: a pixel is two thirds of its nominal size. Its width has the closed
+// form step * N cos(latitude) / a.
 TEST(ReaderPlace, WebMercatorIsMeasured)
 {
   const auto image = ReadAt("EPSG:3857", { -13700000, 1000, 0, 6280000, 0, -1000 });
@@ -111,22 +111,23 @@ TEST(ReaderPlace, WebMercatorIsMeasured)
 
 TEST(ReaderPlace, GeographicRowsShrinkNorthwards)
 {
-  // From the equator to 60 degrees, a post a degree.
+  // From the equator to 60 degrees, with one post per degree.
   const auto image = ReadAt("EPSG:4326", { 9.5, 1, 0, 60.5, 0, -1 }, 3, 61);
   const Georeference place = skyline::LoadGeoreference(image);
   ASSERT_EQ(place.RowSpacingX.size(), 61u);
-  // The chord of a geodesic over a degree is shorter than the parallel by 1.3e-5 at most here.
+  // Here the chord of a geodesic over one degree is at most 1.3e-5 shorter than the parallel.
   const double chord = 5e-5;
   ExpectRelative(place.RowSpacingX[0], 111319.491, chord);
   ExpectRelative(place.RowSpacingX[60], ParallelRadius(place, 60.0) * RadiansPerDegree, chord);
-  ExpectRelative(place.RowSpacingY[0], 110574.3, 1e-6);  // a degree of meridian at 0
-  ExpectRelative(place.RowSpacingY[45], 111131.8, 1e-5); // and at 45
+  ExpectRelative(place.RowSpacingY[0], 110574.3, 1e-6);  // a degree of meridian at latitude 0
+  ExpectRelative(place.RowSpacingY[45], 111131.8, 1e-5); // and at latitude 45
   EXPECT_EQ(image->GetSpacing()[0], place.RowSpacingX[30]);
   EXPECT_EQ(image->GetOrigin()[0], 0.0);
   EXPECT_EQ(image->GetOrigin()[1], 0.0);
 }
 
-// A part of a geographic raster has the whole's spacing there, so nothing moves when it is cut out.
+// A part of a geographic raster has the same spacing as the whole, so that cutting it out moves no
+// post.
 TEST(ReaderPlace, RowSpacingOfAPart)
 {
   Recipe recipe;
@@ -154,7 +155,7 @@ TEST(ReaderPlace, RowSpacingOfAPart)
   EXPECT_NEAR(latitude, 40.0, 1e-9);
 }
 
-// Sphere: a degree of meridian is pi R / 180.
+// On a sphere a degree of a meridian is pi R / 180.
 TEST(ReaderPlace, TheMoonIsNotTheEarth)
 {
   const std::string crs =
@@ -187,7 +188,8 @@ TEST(ReaderPlace, MarsHasItsOwnEllipsoid)
     "PARAMETER[\"False northing\",0,LENGTHUNIT[\"metre\",1]]],CS[Cartesian,2],"
     "AXIS[\"(E)\",east,ORDER[1],LENGTHUNIT[\"metre\",1]],"
     "AXIS[\"(N)\",north,ORDER[2],LENGTHUNIT[\"metre\",1]]]";
-  // Gale crater: 4.6 S, 137.4 E. Along a parallel the map is 0.3 % too long, so the true length counts.
+  // Gale crater, 4.6 S, 137.4 E. Along a parallel the map is 0.3 % too long; the true length is
+  // used.
   const auto image = ReadAt(crs, { 8144000, 100, 0, -272000, 0, -100 });
   const Georeference place = skyline::LoadGeoreference(image);
   EXPECT_FALSE(place.Earth);
@@ -200,23 +202,24 @@ TEST(ReaderPlace, MarsHasItsOwnEllipsoid)
   place.LonLatAt(0, 4, longitude, latitude);
   const double degree = 3396190.0 * RadiansPerDegree;
   EXPECT_NEAR(longitude, 8144050.0 / degree, 1e-9);
-  EXPECT_NEAR(latitude, -4.6, 0.1); // geodetic, so not quite y / degree
+  EXPECT_NEAR(latitude, -4.6, 0.1); // geodetic latitude, therefore not exactly y / degree
 }
 
-// Paris counts its longitudes in grads from its own meridian; a sun does not.
+// The CRS of Paris counts longitudes in grads from its own meridian; the position of the sun needs
+// degrees from Greenwich.
 TEST(ReaderPlace, GradsFromParisBecomeDegreesFromGreenwich)
 {
   const auto image = ReadAt("EPSG:4807", { 0, 0.01, 0, 50, 0, -0.01 });
   const Georeference place = skyline::LoadGeoreference(image);
   double longitude = 0.0, latitude = 0.0;
   place.LonLatAt(0, 4, longitude, latitude);
-  EXPECT_NEAR(longitude, 2.33722917 + 0.005 * 0.9, 1e-8); // the meridian's own last digit
+  EXPECT_NEAR(longitude, 2.33722917 + 0.005 * 0.9, 1e-8); // the number of digits of that meridian
   EXPECT_NEAR(latitude, 49.995 * 0.9, 1e-9);
   ExpectRelative(image->GetSpacing()[0],
     ParallelRadius(place, 49.975 * 0.9) * 0.009 * RadiansPerDegree, SpacingTolerance);
 }
 
-// No datum shift: NAD27 stays NAD27, as the ellipsoid says.
+// There is no datum shift: coordinates in NAD27 stay in NAD27, in accordance with the ellipsoid.
 TEST(ReaderPlace, LongitudesAreTheCrssOwn)
 {
   const auto image = ReadAt("EPSG:4267", { -122.5, 0.1, 0, 46.5, 0, -0.1 });
@@ -244,7 +247,7 @@ TEST(ReaderPlace, LongitudesDoNotJumpAtTheAntimeridian)
   }
 }
 
-// A raster whose edge posts are the poles, with a geotransform rounded beyond them.
+// A raster whose outermost posts are the poles, with a geotransform that is rounded beyond them.
 TEST(ReaderPlace, PolesBelongToTheBody)
 {
   const auto image = ReadAt("EPSG:4326", { -0.5, 1, 0, 90.5000001, 0, -1 }, 5, 3);
@@ -258,8 +261,9 @@ TEST(ReaderPlace, PolesBelongToTheBody)
     polar->GetSpacing()[0], 100.0 / 0.9728, 0.1); // true scale at 71 S, 0.9728 at the pole
 }
 
-// Albers of the United States in California: grid north lies n (lambda - lambda0) off true north,
-// n = (sin 29.5 + sin 45.5) / 2 on the sphere; the ellipsoid changes n by 2e-4.
+// The Albers map of the United States, in California: the angle between grid north and true north
+// is n (lambda - lambda0), with n = (sin 29.5 + sin 45.5) / 2 on the sphere. The ellipsoid changes
+// n by 2e-4.
 TEST(ReaderPlace, AlbersConvergence)
 {
   const Georeference place = skyline::LoadGeoreference(
@@ -272,7 +276,8 @@ TEST(ReaderPlace, AlbersConvergence)
   EXPECT_NEAR(std::abs(place.ConvergenceAt(2.5, 2.5)), 14.0, 1.0);
 }
 
-// Degrees of a rotated pole: columns are as far apart as the rotated latitude says, not the true one.
+// Degrees relative to a rotated pole: the distance of columns depends on the rotated latitude, not
+// on the true one.
 TEST(ReaderPlace, RotatedPole)
 {
   const std::string crs =
@@ -288,7 +293,7 @@ TEST(ReaderPlace, RotatedPole)
     "ANGLEUNIT[\"degree\",0.0174532925199433]]],CS[ellipsoidal,2],"
     "AXIS[\"latitude\",north,ORDER[1],ANGLEUNIT[\"degree\",0.0174532925199433]],"
     "AXIS[\"longitude\",east,ORDER[2],ANGLEUNIT[\"degree\",0.0174532925199433]]]";
-  // A GeoTIFF cannot hold it; a virtual raster can.
+  // A GeoTIFF cannot store this CRS, but a virtual raster can.
   std::string escaped = crs;
   for (std::size_t at = 0; (at = escaped.find('"', at)) != std::string::npos;)
   {
@@ -308,18 +313,19 @@ TEST(ReaderPlace, RotatedPole)
     image->GetSpacing()[0], step * std::cos(20.0 * RadiansPerDegree), SpacingTolerance);
 }
 
-// Krovak with axes south and west: seen from above, the file's columns run the other way round.
+// Krovak with axes to the south and west: seen from above, the columns of the file run from right
+// to left.
 TEST(ReaderPlace, MirroredAxesAreTurned)
 {
   const auto image = ReadAt("EPSG:5513", { 1040000, 10, 0, 870000, 0, -10 });
   const Georeference place = skyline::LoadGeoreference(image);
   const skyline::PostSteps steps = place.StepsAt(2, 2);
   EXPECT_GT(steps.EastPerColumn * steps.NorthPerRow, steps.EastPerRow * steps.NorthPerColumn);
-  EXPECT_EQ(HeightAt(image, 0, 4), 4.0); // the first line's last
+  EXPECT_EQ(HeightAt(image, 0, 4), 4.0); // the last post of the first line
   EXPECT_LT(place.GeoTransform[1], 0.0);
 }
 
-// A compound CRS: its horizontal part places the posts, all of it is kept.
+// A compound CRS: its horizontal part determines the positions, and all of it is kept.
 TEST(ReaderPlace, CompoundCrs)
 {
   const auto image = ReadAt("EPSG:26910+5703", { 500000, 10, 0, 5100000, 0, -10 });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which number stands at which post.
+// The heights of the posts.
 #include "IoTesting.h"
 
 #include "vtkDEMReader.h"
@@ -18,7 +18,7 @@ namespace
 
 const std::vector<double> NorthUp{ 500000, 10, 0, 5100000, 0, -10 };
 
-/// Tests run side by side, so each names its own copy.
+/// Tests run in parallel, so each has its own copy.
 std::string UncompressedDem(const std::string& name)
 {
   const std::string path = OutputPath(name);
@@ -33,7 +33,7 @@ std::string UncompressedDem(const std::string& name)
   return path;
 }
 
-/// Same posts, same missing ones, bit for bit.
+/// The heights and the missing posts are equal to the bit.
 void ExpectSameHeights(vtkImageData* a, vtkImageData* b)
 {
   ASSERT_EQ(a->GetNumberOfPoints(), b->GetNumberOfPoints());
@@ -64,7 +64,8 @@ TEST(ReaderPosts, RowZeroIsSouth)
   EXPECT_EQ(HeightAt(image, 4, 3), 4.0);
 }
 
-// All four ways a file can run give the same surface (swapped limits, negative pixel sizes).
+// The four possible orders of lines and columns in a file give the same surface (swapped limits,
+// negative pixel sizes).
 TEST(ReaderPosts, TheFilesDirectionDoesNotMatter)
 {
   Recipe recipe;
@@ -91,8 +92,8 @@ TEST(ReaderPosts, TheFilesDirectionDoesNotMatter)
   }
 }
 
-// South African maps count to the west and to the south, so their north-up files have negative
-// pixel widths and positive heights.
+// Coordinates of South African maps increase to the west and to the south, so their north-up files
+// have negative pixel widths and positive pixel heights.
 TEST(ReaderPosts, AxesToTheSouthWest)
 {
   Recipe recipe;
@@ -104,7 +105,7 @@ TEST(ReaderPosts, AxesToTheSouthWest)
   const skyline::Georeference place = skyline::LoadGeoreference(image);
   EXPECT_GT(place.Longitude[1], place.Longitude[0]);
   EXPECT_GT(place.Latitude.back(), place.Latitude.front());
-  EXPECT_NEAR(place.ConvergenceAt(2, 2), 0.0, 1.0); // near the map's meridian 29 E
+  EXPECT_NEAR(place.ConvergenceAt(2, 2), 0.0, 1.0); // near the map's central meridian, 29 E
 }
 
 TEST(ReaderPosts, BandsCountFromOne)
@@ -116,7 +117,7 @@ TEST(ReaderPosts, BandsCountFromOne)
   EXPECT_EQ(HeightAt(Read(file, 3)->GetOutput(), 0, 0), 2030.0);
 }
 
-// Integers in metres are not touched; what needs NaN or fractions becomes float, or double where
+// Integers in metres are kept. Values that need NaN or fractions become float, or double where
 // float has too few digits.
 TEST(ReaderPosts, TypesStayAsNarrowAsTheyCan)
 {
@@ -180,7 +181,7 @@ TEST(ReaderPosts, NodataNanAndInfinitiesAreMissing)
   EXPECT_EQ(nodata, -9999.0);
 }
 
-// "The lowest float", printed with six digits in a text header, is still that value.
+// The lowest float, printed with six digits in a text header, still counts as that value.
 TEST(ReaderPosts, RoundedLowestFloatIsNodata)
 {
   const std::string path = OutputPath("lowest.asc");
@@ -262,7 +263,7 @@ TEST(ReaderPosts, FeetBecomeMetres)
 
 TEST(ReaderPosts, AsksTheFileOnlyForTheExtent)
 {
-  // 40000 x 40000 posts whose one million blocks do not exist, except where the corner is.
+  // 40000 x 40000 posts in a million blocks, of which only the one in the corner exists.
   Recipe recipe;
   recipe.Columns = recipe.Lines = 40000;
   GDALAllRegister();
@@ -316,19 +317,20 @@ TEST(ReaderPosts, AnExtentIsACrop)
   const skyline::Georeference place = skyline::LoadGeoreference(part);
   EXPECT_EQ(place.Columns, 40);
   EXPECT_EQ(place.Rows, 60);
-  // GDAL's corner of the crop's north-west pixel: 468 rows, of which 468 - 111 lie above.
+  // The north-western corner of the crop as GDAL defines it: of 468 rows, 468 - 111 lie above.
   EXPECT_EQ(place.GeoTransform[0], 557805.0 + 101 * 30.0);
   EXPECT_EQ(place.GeoTransform[3], 5122005.0 - 357 * 30.0);
   const skyline::Georeference all = skyline::LoadGeoreference(whole->GetOutput());
   double longitude = 0, latitude = 0, expectedLongitude = 0, expectedLatitude = 0;
   place.LonLatAt(7, 9, longitude, latitude);
   all.LonLatAt(108, 60, expectedLongitude, expectedLatitude);
-  const double interpolation = 1e-9; // degrees; DefaultLatticeNodes promises 2 cm at 1000 km
+  const double interpolation = 1e-9; // degrees; DefaultLatticeNodes has an error of 2 cm at 1000 km
   EXPECT_NEAR(longitude, expectedLongitude, interpolation);
   EXPECT_NEAR(latitude, expectedLatitude, interpolation);
 }
 
-// Tiles, strips and odd sizes: a value that tells its place, read in parts, is where it should be.
+// Tiles, strips and odd sizes, read in parts: each value encodes its own position, which is
+// checked.
 TEST(ReaderPosts, StripsAndTilesMeet)
 {
   Recipe recipe;
@@ -363,7 +365,8 @@ TEST(ReaderPosts, StripsAndTilesMeet)
   VSIUnlink("/vsimem/tiles.tif");
 }
 
-// USGS's ASCII format: the same posts as the GeoTIFF made from it, also through a gzip file.
+// The ASCII format of the USGS: the posts are those of the GeoTIFF that was made from it, also if
+// the file is compressed with gzip.
 TEST(ReaderPosts, UsgsDemIsItsGeoTiff)
 {
   const auto tiff = Read(DataPath("dem/SainteHelens.tif"));
@@ -391,8 +394,8 @@ TEST(ReaderPosts, GzipFilesGetNoNotes)
   EXPECT_FALSE(std::filesystem::exists(note));
 }
 
-// VTK's own reader of that format finds the same profiles. It puts the first post of each into row
-// 0, wherever the file says that it lies (up to 4 rows off here), so only the sequences compare.
+// VTK's reader of this format finds the same profiles. It puts the first post of each profile into
+// row 0, although the file places it up to 4 rows higher, so that only the sequences are compared.
 TEST(ReaderPosts, UsgsProfilesAreWhatVtkReads)
 {
   const std::string file = UncompressedDem("profiles.dem");
@@ -426,7 +429,7 @@ TEST(ReaderPosts, UsgsProfilesAreWhatVtkReads)
   EXPECT_EQ(different, 0);
 }
 
-// A void-filled SRTM tile of 1201 posts a side: big-endian, posts on the degree lines.
+// A void-filled SRTM tile with 1201 posts per side: big-endian, with posts on the full degrees.
 TEST(ReaderPosts, SrtmTile)
 {
   const std::string path = OutputPath("S01W071.hgt");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Real skies: against numbers computed apart from this code, and what so many bands make of their
-// irradiance. Prints the table of Documentation/harmonics.md.
+// Real skies, compared with numbers that were computed independently, and the irradiance of their
+// series by the number of bands. Prints the table of Documentation/harmonics.md.
 #include "Sky/LightMap.h"
 
 #include "Data/LightMapImage.h"
@@ -31,14 +31,15 @@ namespace testing
 namespace
 {
 
-/// The maps of the tests are means over 8 x 8 pixels of those that the reference saw: a sun may lie
-/// half a pixel, 1.4 degrees, from the middle of its pixel.
+/// The maps of the tests are means over 8 x 8 pixels of the maps of the reference. A sun can lie
+/// half a pixel, 1.4 degrees, from the centre of its pixel.
 constexpr double HalfPixel = Pi / 128.0;
 
-/// What that makes of irradiance, and the cut to 8 bits in the file.
+/// The resulting error of irradiance, plus the truncation to 8 bits in the file.
 constexpr double IrradianceBound = HalfPixel + 1.0 / 128.0;
 
-/// The same for a coefficient of band l, whose harmonics rise by l a radian: of the constant's.
+/// The same for a coefficient of band l, whose harmonics change by l per radian, relative to the
+/// constant's.
 constexpr double CoefficientBound(int l)
 {
   return HalfPixel * l + 1.0 / 128.0;
@@ -110,7 +111,7 @@ TEST_P(RealMaps, IrradianceOfTheReference)
 
 INSTANTIATE_TEST_SUITE_P(LightMaps, RealMaps, ::testing::Values("sky", "sunset"));
 
-/// Normals up to 60 degrees from the vertical, all around.
+/// Normals up to 60 degrees from the vertical, in all azimuths.
 std::vector<LightMapDirection> TiltedNormals()
 {
   std::vector<LightMapDirection> normals{ { 0, 0, 1 } };
@@ -126,8 +127,8 @@ std::vector<LightMapDirection> TiltedNormals()
   return normals;
 }
 
-/// What of a map counts on open, level ground: the part above the horizontal plane, with the
-/// pixels above a multiple of the mean there (the sun) or without them.
+/// The part of a map that open level ground sees: the half above the horizontal plane, with or
+/// without the pixels brighter than a multiple of the mean (the sun).
 OwnedMap UpperHalf(const LightMap& map, bool sun)
 {
   OwnedMap half(map.Columns, map.Rows);
@@ -148,11 +149,12 @@ OwnedMap UpperHalf(const LightMap& map, bool sun)
 
 struct OrderError
 {
-  double Root = 0.0, Greatest = 0.0; ///< of the irradiance of level ground
+  double Root = 0.0, Greatest = 0.0; ///< relative to the irradiance of level ground
 };
 
-/// Green irradiance on open ground as the sum over `bands` bands of TransferSH (hemisphere times
-/// clamped cosine, by quadrature) times the map's coefficients, against the sum over all pixels.
+/// Green irradiance on open ground. Compares the sum over `bands` bands of TransferSH (hemisphere
+/// times clamped cosine, by quadrature) times the coefficients of the map with the sum over all
+/// pixels.
 OrderError ErrorOf(int bands, const LightMap& map)
 {
   const int count = HarmonicCount(bands);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is in the GeoTIFF.
+// The content of the GeoTIFF.
 #include "IoTesting.h"
 
 #include "vtkHeightFieldWriter.h"
@@ -149,13 +149,13 @@ TEST(Writer, EveryKindOfCrsComesBack)
     double back[6];
     ASSERT_EQ(written->GetGeoTransform(back), CE_None);
     EXPECT_TRUE(std::equal(back, back + 6, transform.data())) << crs;
-    // And a second time round, from our own file.
+    // The result is the same if a file written by Skyline is read and written again.
     EXPECT_EQ(skyline::LoadGeoreference(Read(first)->GetOutput()).Longitude,
       skyline::LoadGeoreference(reader->GetOutput()).Longitude);
   }
 }
 
-// South-up and mirrored files become north-up ones with the same posts at the same places.
+// South-up and mirrored files become north-up files with the same posts at the same positions.
 TEST(Writer, OutputIsNorthUp)
 {
   Recipe recipe;
@@ -220,7 +220,8 @@ TEST(Writer, ArraysInOrderAndComponentsAsBands)
   EXPECT_EQ(ValueAt(dataset.get(), 1, 2, 1), static_cast<double>(0.04f));
 }
 
-// Large enough for tiles, several chunks and groups of bands, with sizes that divide by nothing.
+// Large enough for tiles and for several blocks and groups of bands, with sizes that are not
+// multiples of theirs.
 TEST(Writer, ManyBandsInTiles)
 {
   vtkNew<vtkImageData> image;
@@ -293,16 +294,16 @@ TEST(Writer, NodataThatNoResultCanHave)
   {
     bool Declared;
     double Input;
-    double Height; ///< one post's
+    double Height; ///< of one post
     double Expected;
   };
-  for (const Case& nodata : { Case{ true, -32767.0, 1.0, -32767.0 }, // as the input
-         Case{ true, 0.0, 1.0, -9999.0 },                            // 0 is a fraction
-         Case{ true, -90.0, 1.0, -9999.0 },                          // and -90 an angle
+  for (const Case& nodata : { Case{ true, -32767.0, 1.0, -32767.0 }, // the value of the input
+         Case{ true, 0.0, 1.0, -9999.0 },                            // 0 is a valid fraction
+         Case{ true, -90.0, 1.0, -9999.0 },                          // -90 is a valid angle
          Case{ false, 0.0, 1.0, -9999.0 }, Case{ true, NaN, 1.0, NaN },
-         Case{ true, -32767.0, -32767.0, -9999.0 }, // taken by a height
+         Case{ true, -32767.0, -32767.0, -9999.0 }, // a height has this value
          Case{ false, 0.0, -9999.0, NaN },
-         Case{ true, -1.7976931348623157e308, 1.0, -9999.0 } }) // no float
+         Case{ true, -1.7976931348623157e308, 1.0, -9999.0 } }) // outside the range of float
   {
     vtkNew<vtkImageData> image;
     image->SetDimensions(5, 4, 1);
@@ -341,7 +342,7 @@ TEST(Writer, NoNodataWhereNothingIsMissing)
   EXPECT_FALSE(declared);
 }
 
-// A dimensionless band under a CRS in feet is not in feet.
+// A dimensionless band is not in feet, even if the CRS is.
 TEST(Writer, VerticalUnitOfTheCrsIsNotTheBands)
 {
   Recipe recipe;
@@ -397,7 +398,7 @@ TEST(Writer, CloudOptimized)
   EXPECT_EQ(HeightAt(again->GetOutput(), 100, 100), HeightAt(reader->GetOutput(), 100, 100));
 }
 
-// Arrays that VTK keeps component by component, as some filters do.
+// Arrays in which VTK stores each component separately, as some filters do.
 TEST(Writer, StructureOfArrays)
 {
   vtkNew<vtkImageData> image;
@@ -409,7 +410,7 @@ TEST(Writer, StructureOfArrays)
   EXPECT_EQ(ValueAt(dataset.get(), 2, 4, 0), Plane(4, 3, 1));
 }
 
-// What described the replaced file must not describe the new one.
+// Side files that described the replaced file must not describe the new one.
 TEST(Writer, SideFilesOfTheOldFileGo)
 {
   const std::string folder = FreshFolder("side");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// No writer leaves part of a file, wherever it stops.
+// No writer leaves an incomplete file, wherever it stops.
 #include "AtomicFile.h"
 #include "IoTesting.h"
 
@@ -23,7 +23,7 @@ using namespace skyline_test;
 namespace
 {
 
-/// An image whose compressed arrays still are some tens of kB.
+/// An image whose arrays still have some tens of kB after compression.
 vtkSmartPointer<vtkImageData> Noise(int columns, int rows)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -81,7 +81,7 @@ std::vector<Way> AllWays(vtkImageData* image)
   return ways;
 }
 
-/// The message of a write that must fail.
+/// Returns the message of a write that must fail.
 std::string Fail(vtkHeightFieldFileWriter* sink, const std::string& file)
 {
   const Errors errors(sink);
@@ -100,8 +100,9 @@ bool Contains(const std::string& text, const std::string& part)
 
 } // namespace
 
-// The size of every file the process writes is limited, from nothing to a byte below what the whole
-// needs: each write must be noticed to fail, even those that only happen on closing.
+// The size of all files that the process writes is limited, from 0 to one byte less than the
+// complete file needs. Each failing write must be noticed, even if it only happens when the file is
+// closed.
 TEST(WriterFailures, NoSpaceAtAnyPoint)
 {
   const std::string folder = FreshFolder("limit");
@@ -211,7 +212,7 @@ TEST(WriterFailures, WrongExtensionArrayOrInput)
   EXPECT_TRUE(Contains(Fail(flat, OutputPath("x.tif")), "3 layers"));
 }
 
-// A crop made without the reader would be written to the wrong place.
+// A crop made without the reader would be written to the wrong position.
 TEST(WriterFailures, StaleGeoreference)
 {
   const auto image = Noise(20, 10);
@@ -261,7 +262,7 @@ TEST(WriterFailures, AbortLeavesNothing)
     EXPECT_EQ(errors.Count(), 0u) << errors.First();
     EXPECT_EQ(way.Sink->GetErrorCode(), vtkErrorCode::UserError) << way.Name;
     EXPECT_TRUE(FilesIn(folder).empty()) << way.Name;
-    // And the next try works.
+    // A second attempt succeeds.
     way.Sink->RemoveObserver(tag);
     way.Sink->SetAbortExecute(0);
     EXPECT_EQ(way.Sink->Write(), 1) << way.Name;
@@ -299,8 +300,8 @@ TEST(WriterFailures, SignalLeavesNothing)
   }
 }
 
-// What lies in the file at the end is compared with the arrays: a number that changes meanwhile is
-// found as one that was stored wrong would be, and a byte that changes in the file is too.
+// At the end the file is compared with the arrays. A number that changes in memory during the write
+// is found, as one that was stored wrongly would be. So is a byte that changes in the file.
 TEST(WriterFailures, WhatIsReadBackMustBeWhatWasWritten)
 {
   const std::string folder = FreshFolder("verify");
@@ -318,7 +319,7 @@ TEST(WriterFailures, WhatIsReadBackMustBeWhatWasWritten)
     {
       if (inFile && std::string(way.Name) == "picture.tif")
       {
-        continue; // GDAL holds all of it back until the file is closed
+        continue; // GDAL buffers everything until the file is closed
       }
       Spoiler spoiler{ image, folder, inFile, false };
       vtkNew<vtkCallbackCommand> spoil;
@@ -327,7 +328,7 @@ TEST(WriterFailures, WhatIsReadBackMustBeWhatWasWritten)
         [](vtkObject* object, unsigned long, void* data, void*)
         {
           auto* self = static_cast<Spoiler*>(data);
-          constexpr double written = 0.89; // checking follows
+          constexpr double written = 0.89; // then the file is checked
           if (self->Done || vtkAlgorithm::SafeDownCast(object)->GetProgress() < written)
           {
             return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Horizons of one post into accumulators.
+// Passes the horizons of one post to accumulators.
 #ifndef skyline_KernelTesting_h
 #define skyline_KernelTesting_h
 
@@ -14,13 +14,13 @@ namespace skyline
 namespace testing
 {
 
-/// What a sum of a hundred float terms of up to 1 loses, and the arc's 1.4e-7 rad.
+/// The error of a sum of a hundred floats up to 1, and of the arc, 1.4e-7 rad.
 constexpr double SumBound = 2.0e-6;
 
 /// The same in degrees of openness: floats near 100 are 8e-6 apart.
 constexpr double OpennessBound = 1.0e-4;
 
-/// All quantities of one post with a gradient, from slopes at azimuths (k + shift) 2 pi / N.
+/// All quantities of one post with a gradient, from slopes in the azimuths (k + shift) 2 pi / N.
 inline oracle::Sky SumSky(
   const std::vector<double>& slopes, double east, double north, double shift = 0.0)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the small tables of Testing/Data: comma separated, # comments, one line of names.
+// Reads the small tables of Testing/Data: comma-separated values, comments after #, names in the
+// first line.
 #ifndef skyline_NumberTable_h
 #define skyline_NumberTable_h
 

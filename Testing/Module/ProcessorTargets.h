@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs a test on every instruction set that this processor has and the kernels were compiled for.
+// Runs a test with each instruction set that this processor has and that the kernels were compiled
+// for.
 #ifndef skyline_ProcessorTargets_h
 #define skyline_ProcessorTargets_h
 
@@ -14,7 +15,8 @@ namespace skyline
 namespace testing
 {
 
-/// Calls body() once per instruction set, a trace naming it; leaves the best one chosen.
+/// Calls body() once per instruction set, whose name is added to failure messages. Afterwards the
+/// best one is active.
 template <class Body>
 void ForEachProcessorTarget(const Body& body)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The crop of Mount St Helens (Testing/Data/exact) as the oracle's field.
+// A part of Mount St Helens (Testing/Data/exact) as a field of the oracle.
 #ifndef skyline_RealTerrain_h
 #define skyline_RealTerrain_h
 
@@ -18,7 +18,8 @@ namespace skyline
 namespace testing
 {
 
-/// 160 x 160 posts 30 m apart, 1271 to 2543 m high. No posts at all if the file cannot be read.
+/// 160 x 160 posts, 30 m apart, with heights of 1271 to 2543 m. The field is empty if the file
+/// cannot be read.
 inline oracle::OracleField SaintHelens()
 {
   vtkNew<vtkHeightFieldReader> reader;

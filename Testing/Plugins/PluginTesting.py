@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the ParaView plugin share. Each is run by pvbatch as
-`pvbatch TestX.py PLUGIN DATA OUTPUT PROGRAM`: the plugin, Testing/Data, a folder to write in, and
-the program skyline that the filters are compared with.
+"""Code that the tests of the ParaView plugin share. pvbatch runs each of them as
+`pvbatch TestX.py PLUGIN DATA OUTPUT PROGRAM`: the plugin, Testing/Data, a folder for output, and
+the program skyline, with whose results the filters are compared.
 """
 import os
 import subprocess
@@ -16,14 +16,14 @@ PLUGIN, DATA, OUTPUT, PROGRAM = sys.argv[1:5]
 DEM = DATA + "/dem/SainteHelens.tif"
 TIME = "2026-06-21T14:00Z"
 
-filters = {"": None}  # LoadPlugin fills no empty one
+filters = {"": None}  # LoadPlugin does not fill an empty dictionary
 simple.LoadPlugin(PLUGIN, remote=False, ns=filters)
 
 checks = {"failed": 0, "done": 0}
 
 
 def expect(fine, what):
-    """Counts a check, and says what failed."""
+    """Counts a check, and prints its text if it failed."""
     checks["done"] += 1
     if not fine:
         checks["failed"] += 1
@@ -31,7 +31,7 @@ def expect(fine, what):
 
 
 def expect_close(found, wanted, tolerance, what):
-    """Both have the same shape and missing posts, and differ by the tolerance at most."""
+    """Both must have the same shape and missing posts, and differ by at most the tolerance."""
     found, wanted = np.asarray(found, dtype=float), np.asarray(wanted, dtype=float)
     if found.shape != wanted.shape:
         expect(False, f"{what}: {found.shape} values, not {wanted.shape}")
@@ -44,20 +44,20 @@ def expect_close(found, wanted, tolerance, what):
 
 
 def read_dem():
-    """The reader of the bundled DEM, updated."""
+    """The reader of the included DEM, updated."""
     reader = filters["HeightFieldReader"](FileName=DEM)
     reader.UpdatePipeline()
     return reader
 
 
 def fetch(proxy):
-    """What a proxy makes on this process. (After servermanager.Fetch no window would open.)"""
+    """The output of a proxy on this process. (After servermanager.Fetch no window would open.)"""
     proxy.UpdatePipeline()
     return proxy.GetClientSideObject().GetOutputDataObject(0)
 
 
 def points(proxy, name):
-    """A point array of what a proxy makes, one row a point."""
+    """A point array of a proxy's output, one row per point."""
     array = fetch(proxy).GetPointData().GetArray(name)
     if array is None:
         raise AssertionError(f"{proxy.GetXMLLabel()} made no {name}")
@@ -81,7 +81,7 @@ def program(*arguments):
 
 
 def main(*tests):
-    """Runs them all; the process fails if any check did."""
+    """Runs all tests. The process fails if a check failed."""
     for test in tests:
         print("--", test.__doc__, flush=True)
         try:
@@ -92,4 +92,4 @@ def main(*tests):
     print(f"{checks['done']} checks, {checks['failed']} failed", flush=True)
     sys.stdout.flush()
     if checks["failed"]:
-        os._exit(1)  # after sys.exit ParaView closes its windows and processes out of order
+        os._exit(1)  # sys.exit would close ParaView's windows and processes in the wrong order

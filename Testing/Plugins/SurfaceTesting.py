@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the representation Soft Shadow Surface share: a view from above, a pixel a post."""
+"""Code that the tests of the representation Soft Shadow Surface share: a view from above, one pixel per
+post."""
 import numpy as np
 from paraview import simple
 from paraview.vtk.util.numpy_support import vtk_to_numpy
 from paraview.vtk.vtkIOImage import vtkPNGReader
 from PluginTesting import OUTPUT
 
-# Mean difference in codes of 255: half a code by rounding, some at texels of steep light.
+# Mean difference in codes of 255: half a code by rounding, more at texels where the light changes
+# quickly.
 CODES = 2.0
 
 
 def picture(view, name):
-    """The pixels of a view as its screenshot has them, rows from below; the file stays."""
+    """The pixels of a view as in its screenshot, with the rows from the bottom. The file is kept."""
     path = f"{OUTPUT}/{name}.png"
     simple.Render(view)
     simple.SaveScreenshot(path, view, ImageResolution=list(view.ViewSize))
@@ -30,7 +32,7 @@ def encode(light):
 
 
 def make_view(size):
-    """A view without decoration, on the background's code 10."""
+    """A view without decoration; the background has the code 10."""
     view = simple.CreateView("RenderView")
     view.ViewSize = size
     view.OrientationAxesVisibility = 0
@@ -40,11 +42,11 @@ def make_view(size):
 
 
 def look_down(view, source):
-    """A pixel a post."""
+    """Moves the camera so that one pixel shows one post."""
     shape = source.GetDataInformation()
     x0, x1, y0, y1, _, _ = shape.GetBounds()
     c0, c1, r0, r1, _, _ = shape.GetExtent()
-    simple.Render(view)  # the first one places the camera
+    simple.Render(view)  # the first rendering sets the camera
     view.CameraParallelProjection = 1
     view.CameraFocalPoint = [0.5 * (x0 + x1), 0.5 * (y0 + y1), 0.0]
     view.CameraPosition = [0.5 * (x0 + x1), 0.5 * (y0 + y1), 50000.0]
@@ -62,7 +64,7 @@ def show(light, view):
 
 
 def show_plainly(light, view):
-    """The same, twice as bright as it is and without a tone curve, from above."""
+    """The same from above, twice as bright and without a tone curve."""
     display = show(light, view)
     display.SkylineAutoExposure = 0
     display.SkylineExposure = 1.0
@@ -72,7 +74,7 @@ def show_plainly(light, view):
 
 
 def show_transfer(transfer, view):
-    """Shows the light of a uniform sky by the harmonics of a source, from above."""
+    """Shows the light of a uniform sky from above, from the harmonics of a source."""
     display = show(transfer, view)
     display.SkylineSunIrradiance = [0, 0, 0]
     display.SkylineSkyRadiance = [0.8, 0.8, 0.8]
@@ -83,6 +85,6 @@ def show_transfer(transfer, view):
 
 
 def morning(filters, dem):
-    """The light that the tests of the picture compare."""
+    """The light that the tests of the picture use."""
     return filters["Irradiance"](Input=dem, SunAzimuth=120.0, SunElevation=20.0,
         SkyRadiance=[0.1, 0.13, 0.2], Azimuths=16)

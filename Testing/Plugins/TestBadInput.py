@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What cannot be computed is refused in words that say why, and nothing crashes."""
+"""Input that cannot be computed is refused with a message that gives the reason, without a crash."""
 import numpy as np
 from paraview import simple
 from paraview.vtk import vtkStringOutputWindow, vtkOutputWindow
@@ -19,7 +19,7 @@ output.GetPointData().SetScalars(heights)
 
 
 def image(dimensions="6, 5, 1", spacing="10, 10, 10", value="post % 7"):
-    """A height field without a place on the Earth."""
+    """A height field without a georeference."""
     whole = [int(number) - 1 for number in dimensions.split(",")]
     source = simple.ProgrammableSource(OutputDataSetType="vtkImageData")
     source.ScriptRequestInformation = (
@@ -30,7 +30,7 @@ def image(dimensions="6, 5, 1", spacing="10, 10, 10", value="post % 7"):
 
 
 def told(proxy):
-    """What the output window says when the proxy runs; its output must be empty."""
+    """The text of the output window when the proxy runs. The output of the proxy must be empty."""
     window, usual = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
     vtkOutputWindow.SetInstance(window)
     try:
@@ -43,7 +43,7 @@ def told(proxy):
 
 
 def expect_told(proxy, *words):
-    """The message has all of the words."""
+    """The message must contain all of the words."""
     text = told(proxy)
     for word in words:
         expect(word in text, f"{proxy.GetXMLLabel()}: no '{word}' in: {text or '(nothing)'}")

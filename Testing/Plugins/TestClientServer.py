@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A client and a server of two processes: the picture of Soft Shadow Surface drawn by either."""
+"""A client, and a server of two processes: either can draw the picture of Soft Shadow Surface."""
 import os
 import socket
 import subprocess
@@ -19,7 +19,8 @@ def start_server(log):
         port = probe.getsockname()[1]
     command = [os.environ["SKYLINE_MPIEXEC"], "--oversubscribe", "-np", "2", f"{BIN}/pvserver",
                f"--server-port={port}"]
-    # This process is one of MPI's, whose marks would make mpirun take the server for its child.
+    # This process uses MPI, whose environment variables would make mpirun treat the server as a
+    # child process.
     marks = ("PMIX_", "PMI_", "OMPI_", "OPAL_", "ORTE_")
     environment = {name: value for name, value in os.environ.items()
                    if not name.startswith(marks) or name.startswith("OMPI_ALLOW_RUN_AS_ROOT")}
@@ -38,7 +39,7 @@ log = open(sys.argv[3] + "/pvserver.log", "w", encoding="utf-8")
 server, port = start_server(log)
 simple.Connect("localhost", port)
 
-from PluginTesting import DEM, OUTPUT, PLUGIN, expect, filters, main  # loads the client's plugin
+from PluginTesting import DEM, OUTPUT, PLUGIN, expect, filters, main  # loads the plugin into the client
 from SurfaceTesting import make_view, morning, picture, show_plainly
 
 simple.LoadPlugin(PLUGIN, remote=True, ns=filters)
@@ -57,7 +58,7 @@ def test_above():
         found = picture(view, f"above-by-{name}")
         difference = np.abs(found.astype(int) - SERIAL)[2:-2, 2:-2]
         print(f"by the {name}: greatest difference {difference.max()} codes", flush=True)
-        # ParaView sends pictures of a server through a codec of fewer bits.
+        # ParaView compresses the pictures of a server with fewer bits.
         expect(difference.max() <= (8 if name == "server" else 1), f"by the {name}: another picture")
     simple.Delete(view)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What ParaView saves and opens: GeoTIFF and OpenEXR by its Save Data, light maps by Open."""
+"""Files that ParaView saves and opens: GeoTIFF and OpenEXR by Save Data, light maps by Open."""
 import os
 
 import numpy as np
@@ -11,7 +11,8 @@ def test_raster():
     """Arrays in a GeoTIFF come back, with the place on the Earth"""
     view = filters["SkyView"](Input=read_dem(), Azimuths=8)
     path = OUTPUT + "/saved.tif"
-    # ParaView's own TIFF writer bears the extension too: in its window one chooses, here the maker.
+    # ParaView's own TIFF writer has the same extension. In its window the user selects one, here
+    # the constructor does.
     writer = filters["HeightFieldWriter"](Input=view, FileName=path)
     writer.Arrays = ["SkyViewFactor", "Elevation"]
     writer.UpdatePipeline()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every filter of the plugin on a real DEM, against the program skyline and closed forms."""
+"""All filters of the plugin on a real DEM, compared with the program skyline and with closed forms."""
 import os
 
 import numpy as np
@@ -8,21 +8,22 @@ from paraview.vtk.util.numpy_support import vtk_to_numpy
 from PluginTesting import (
     DATA, DEM, OUTPUT, TIME, expect, expect_close, fetch, filters, main, points, program, read_dem)
 
-# The same code, compiled against another VTK; numbers of the program pass through float32 too.
+# The same code, compiled with another VTK. The values of the program are stored as float32.
 SAME_CODE = 2e-5
 
 Y00 = 0.28209479177387814
 LAMP = [562800.0, 5116400.0, 3000.0, 200.0, 4.0, 3.0, 2.0]
-SERIAL = {}  # what a parallel run must give too
+SERIAL = {}  # results that a parallel run must reproduce
 
 
 def lamp_arguments(image):
-    """The lamp's place in the image, in the program's way: in the CRS, which is that of the image."""
+    """The position of the lamp in the coordinates of the CRS, which are those of the image, as the program
+    expects it."""
     return "--lamp", ",".join(str(number) for number in LAMP)
 
 
 def posts_under(surface, dem):
-    """The numbers of the posts that the points of a surface stand on."""
+    """The numbers of the posts at which the points of a surface are."""
     image = fetch(dem)
     places = vtk_to_numpy(fetch(surface).GetPoints().GetData())[:, :2]
     steps = (places - np.array(image.GetOrigin()[:2])) / np.array(image.GetSpacing()[:2])
@@ -32,7 +33,7 @@ def posts_under(surface, dem):
 
 def test_horizon():
     """Horizon"""
-    # In a script the reader may not have run yet.
+    # In a script the reader may not have been updated yet.
     horizon = filters["Horizon"](Input=filters["HeightFieldReader"](FileName=DEM), Azimuths=8)
     SERIAL["Horizon"] = points(horizon, "HorizonElevation")
     expect_close(SERIAL["Horizon"], program("horizon", "--azimuths", "8"), SAME_CODE, "horizon")
@@ -72,7 +73,7 @@ def test_irradiance():
     """Irradiance: sun by time, skies, an HDR file, lamps"""
     dem = read_dem()
     make = filters["Irradiance"]
-    scale = 1000.0  # W/m2: float32 of hundreds
+    scale = 1000.0  # W/m2: float32 values of some hundreds
     perez = make(Input=dem, Sun="Time", SunTime=TIME, Sky="Perez", DirectIrradiance=700.0,
         DiffuseIrradiance=120.0, SkyRadiance=[1, 1, 1], SunIrradiance=[700, 700, 700])
     expect_close(points(perez, "Irradiance"),
@@ -105,7 +106,8 @@ def test_harmonics():
     expect(visibility.shape[1] == 16 and transfer.shape[1] == 16, "4 bands are 16 coefficients")
     expect_close(visibility[:, 0] / (2.0 * np.pi * Y00), points(view, "VisibleSkyFraction"), 1e-4,
         "visibility")
-    # The sky view factor is integrated in the tilted frame, the transfer with its own quadrature.
+    # The sky view factor is integrated relative to the tilted plane; the transfer has its own
+    # quadrature.
     expect_close(transfer[:, 0] / (np.pi * Y00), points(view, "SkyViewFactor"), 2e-3, "transfer")
     SERIAL["TransferHarmonics"] = transfer
 

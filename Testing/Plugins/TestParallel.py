@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two processes give the pieces of what one gives, or refuse: never a seam."""
+"""Two processes compute the parts of the result of one process, or refuse. There are no seams."""
 import numpy as np
 from paraview import servermanager, simple
 from PluginTesting import OUTPUT, TIME, expect, fetch, filters, main, read_dem
@@ -12,7 +12,7 @@ SERIAL = np.load(OUTPUT + "/serial.npz")
 
 
 def expect_piece(proxy, name, serial):
-    """This process's piece of the array is that of the serial run, to the bit."""
+    """The part of the array on this process must equal that of the serial run to the bit."""
     image = fetch(proxy)
     c0, c1, r0, r1, _, _ = image.GetExtent()
     label = f"{proxy.GetXMLLabel()} on process {RANK}"
@@ -54,7 +54,7 @@ def test_surface():
 
 def test_refusal():
     """An image that no process can have whole is refused"""
-    # Each process makes only its own part of this, whatever is asked for.
+    # Each process only makes its own part of this image, whatever part is requested.
     source = simple.ProgrammableSource(OutputDataSetType="vtkImageData")
     source.ScriptRequestInformation = """
 from paraview.util import SetOutputWholeExtent

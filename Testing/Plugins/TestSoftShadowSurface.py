@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The representation Soft Shadow Surface: its picture from above against the formula, pictures to
-look at, and a state file."""
+"""The representation Soft Shadow Surface: compares its picture from above with the formula; tests pictures
+in perspective and a state file."""
 import numpy as np
 from paraview import servermanager, simple
 from PluginTesting import OUTPUT, TIME, expect, fetch, filters, main, points, read_dem
@@ -18,7 +18,7 @@ def test_irradiance():
     display = show_plainly(light, view)
     found = picture(view, "irradiance-above")
     wanted = encode(2.0 * irradiance / np.pi).reshape(rows, columns, 3)
-    np.savez_compressed(OUTPUT + "/above.npz", codes=found)  # for several processes and a server
+    np.savez_compressed(OUTPUT + "/above.npz", codes=found)  # for other tests
     inside = (slice(2, -2), slice(2, -2))
     error = np.nanmean(np.abs(found[inside].astype(float) - wanted[inside]))
     print(f"mean difference {error:.2f} codes")
@@ -42,7 +42,7 @@ def test_harmonics():
     display = show_transfer(transfer, view)
     expect(display.SkylineLight == "Automatic", "without a word the light is what there is")
     found = picture(view, "transfer-sky")
-    np.savez_compressed(OUTPUT + "/transfer.npz", codes=found)  # for several processes
+    np.savez_compressed(OUTPUT + "/transfer.npz", codes=found)  # for the test of several processes
     found = found[2:-2, 2:-2]
     sky = 0.8 * coefficients[:, 0] * np.sqrt(4.0 * np.pi) / np.pi
     wanted = encode(sky).reshape(rows, columns)[2:-2, 2:-2]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Soft Shadow Surface by two processes gives the picture of one: no seam, nothing twice."""
+"""Soft Shadow Surface with two processes gives the picture of one process: no seam, and no part drawn
+twice."""
 import numpy as np
 from paraview import simple
 from PluginTesting import OUTPUT, expect, filters, main, read_dem
@@ -9,8 +10,8 @@ SERIAL = {name: np.load(f"{OUTPUT}/{name}.npz")["codes"] for name in ("above", "
 
 
 def expect_serial(view, name):
-    """The picture is the serial one, whether the processes' pictures or their triangles are put
-    together."""
+    """The picture must be the serial one, whether the pictures of the processes or their triangles are
+    combined."""
     for threshold, way in ((0.0, "composited"), (1e9, "collected")):
         view.RemoteRenderThreshold = threshold
         worst = np.abs(picture(view, f"{name}-{way}").astype(int) - SERIAL[name]).max()

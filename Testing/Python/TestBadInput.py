@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Wrong input: one clear exception that names the value and the cure, nothing printed, no crash."""
+"""Wrong input: one clear exception that names the value and what to do, no output, no crash."""
 
 import os
 import shutil
@@ -17,7 +17,7 @@ import skyline
 Z = np.arange(12.0).reshape(3, 4)
 NORTH_UP = (500000.0, 30.0, 0.0, 4649776.0, 0.0, -30.0)
 NAN, INF = float("nan"), float("inf")
-PROMPT = 5.0  # seconds from Ctrl-C to the exception, on a busy machine
+PROMPT = 5.0  # seconds from Ctrl-C to the exception on a busy machine
 
 
 class BadInput(unittest.TestCase):
@@ -145,7 +145,7 @@ class BadInput(unittest.TestCase):
         self.refused(ValueError, "crs is 'there'", to_image, Z, crs="there", transform=NORTH_UP)
         for crs in [5.5, "EPSG:\0", b"EPSG:32631", " "]:
             self.refused(TypeError, "crs is ", to_image, Z, crs=crs, transform=NORTH_UP)
-        # rasterio's order, a turned raster, columns that run west, no step, no number
+        # The order of rasterio, a rotated raster, columns that run west, no step, no number.
         for six in [(30.0, 0.0, 5e5, 0.0, -30.0, 4.6e6), (5e5, 30.0, 1.0, 4.6e6, 1.0, -30.0),
                     (5e5, -30.0, 0.0, 4.6e6, 0.0, -30.0), (5e5, 30.0, 0.0, 4.6e6, 0.0, 0.0)]:
             self.refused(ValueError, "transform is .*GDAL's order", to_image, Z, transform=six)
@@ -211,7 +211,7 @@ class BadInput(unittest.TestCase):
 
 
 class NotThere(unittest.TestCase):
-    """What a user of the wrong Python, or of half a build, is told."""
+    """The messages for a user with an unsuitable Python or an incomplete build."""
 
     def said(self, code, path=None):
         environment = dict(os.environ, PYTHONPATH=path or os.environ["PYTHONPATH"])

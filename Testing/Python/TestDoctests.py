@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The examples in the docstrings of the package give what they show.
+"""The examples in the docstrings of the package must give the results that they show.
 
-Run as `python3 TestDoctests.py SOURCE`: the examples name files from the project's root.
+Run as `python3 TestDoctests.py SOURCE`: the examples name files relative to the root of the
+project.
 """
 
 import doctest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The functions from arrays to arrays: orientation, place, missing posts, memory, images.
+"""The functions that take and return arrays: orientation, georeference, missing posts, memory, images.
 
 Run as `python3 TestDoors.py DATA PROGRAM`: Testing/Data, and the program skyline.
 """
@@ -18,8 +18,8 @@ import skyline
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-FLOAT = 1e-4  # degrees or parts: float results of closed forms
-SUN = 0.006  # degrees: refraction at the middle post's height, and at the middle of all heights
+FLOAT = 1e-4  # degrees or fractions: closed forms in floats
+SUN = 0.006  # degrees: refraction at the height of the middle post, and at the middle of all heights
 UTM = "EPSG:26710"
 
 
@@ -29,7 +29,7 @@ def hills(rows=40, columns=50):
 
 
 class Wrapped(vtkImageData):
-    """What pyvista.wrap gives: an image of a Python class, with attributes of its own."""
+    """An image of a Python class with attributes of its own, like the result of pyvista.wrap."""
 
     def __init__(self):
         self.note = "mine"
@@ -150,7 +150,7 @@ class Numbers(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = folder + "/dem.tif"
             with warnings.catch_warnings():
-                warnings.simplefilter("ignore")  # writing looks at no heights, making the place does
+                warnings.simplefilter("ignore")  # only making the place checks heights
                 skyline.write(file, z, spacing=10.0)
             with self.assertWarnsRegex(UserWarning, "1 post of '.*dem.tif' has the height -9999.*nodata=-9999"):
                 skyline.sky_view(file, azimuths=8)
@@ -204,7 +204,7 @@ class Light(unittest.TestCase):
         self.assertTrue(np.array_equal(self.value(), self.value("uniform")))
 
     def test_sky_of_watts(self):
-        # Level ground: the sun's cosine and the sky's own irradiance.
+        # Level ground: the cosine of the sun plus the irradiance of the sky.
         light = self.value("perez:800,100", sun=(180.0, 30.0))
         self.assertTrue(np.allclose(light, 800.0 * 0.5 + 100.0, rtol=1e-3), light)
 
@@ -214,7 +214,8 @@ class Light(unittest.TestCase):
             self.assertTrue(np.allclose(light, [1.0, 2.0, 3.0], rtol=4e-3), (radius, light))
 
     def test_light_map_as_array(self):
-        # The upper half of the sky has radiance 2 in red; row 0 is the zenith, the centre column north.
+        # The upper half of the sky has the radiance 2 in red. Row 0 is the zenith, the centre
+        # column is north.
         sky = np.zeros((16, 32, 3))
         sky[:8, :, 0] = 2.0
         self.assertTrue(np.allclose(self.value(sky), [2.0 * math.pi, 0.0, 0.0], rtol=1e-3))
@@ -231,7 +232,7 @@ class Light(unittest.TestCase):
         light = skyline.irradiance(z, 10.0, lamps=[(50.0, 20.0, 30.0, 1.0)])[..., 0]
         row, column = np.unravel_index(np.argmax(light), light.shape)
         self.assertEqual((row, column), (20 - 2, 5))
-        # Under a ball: pi sin^2 of its angular radius.
+        # Below a ball: pi sin^2 of its angular radius.
         self.assertAlmostEqual(light[row, column], math.pi / 900.0, delta=1e-5)
         red = skyline.irradiance(z, 10.0, lamps=[(50.0, 20.0, 30.0, 1.0, 2.0, 0.0, 0.0)])
         self.assertAlmostEqual(red[row, column, 0], 2.0 * light[row, column], delta=1e-5)
@@ -267,7 +268,7 @@ class Place(unittest.TestCase):
         self.assertLess(np.nanmean(file), 0.95)
 
     def test_the_top_of_the_array_is_the_north_of_the_map(self):
-        # The summit's crater opens to the north; the crater lies in the southern part of this sheet.
+        # The crater of the summit opens to the north and lies in the southern part of this map.
         row, column = np.unravel_index(np.nanargmax(self.z), self.z.shape)
         x0, dx, _, y0, _, dy = self.transform
         self.assertLess(dy, 0.0)
@@ -275,7 +276,7 @@ class Place(unittest.TestCase):
         self.assertAlmostEqual(x0 + (column + 0.5) * dx, 562600.0, delta=1500.0)
 
     def test_transform_of_rasterio(self):
-        class Affine(tuple):  # the attributes that rasterio's has
+        class Affine(tuple):  # has the attributes of rasterio's class
             a, b, c, d, e, f = (property(lambda self, i=i: self[i]) for i in range(6))
 
         x0, dx, _, y0, _, dy = self.transform
@@ -329,7 +330,7 @@ class Place(unittest.TestCase):
 
     def test_lamp_in_coordinates_of_the_map(self):
         x0, dx, _, y0, _, dy = self.transform
-        lamp = (x0 + 10.5 * dx, y0 + 4.5 * dy, 3000.0, 5.0)  # over row 4, column 10
+        lamp = (x0 + 10.5 * dx, y0 + 4.5 * dy, 3000.0, 5.0)  # above row 4, column 10
         light = skyline.irradiance(np.zeros((20, 20)), crs=UTM, transform=self.transform, lamps=[lamp])
         self.assertEqual(np.unravel_index(np.argmax(light[..., 0]), (20, 20)), (4, 10))
 
@@ -370,7 +371,7 @@ class Memory(unittest.TestCase):
         z[2, 3] = 7
         self.assertEqual(image.GetScalarRange(), (0.0, 0.0))
         self.assertTrue(np.shares_memory(skyline.to_image(z[::-1], 10.0) and z, z))
-        turned = skyline.to_image(z[::-1], 10.0)  # seen from the south it is in order
+        turned = skyline.to_image(z[::-1], 10.0)  # row 0 is the south
         self.assertTrue(np.shares_memory(skyline.to_array(turned), z))
 
     def test_results_outlive_what_made_them(self):
@@ -411,7 +412,7 @@ class Images(unittest.TestCase):
             skyline.to_array(result, "SkyViewFactor"), skyline.sky_view(z, 10.0, 8)))
         self.assertEqual(image.note, "mine")
         into = Wrapped()
-        into.ShallowCopy(result)  # what pyvista.wrap does
+        into.ShallowCopy(result)  # as pyvista.wrap does
         self.assertTrue(into.GetPointData().HasArray("SkyViewFactor"))
         filter_ = skyline.vtkHeightFieldSkyView()
         filter_.SetInputData(image)

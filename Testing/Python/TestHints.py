@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""mypy --strict accepts the package and what its users write, and refuses what is wrong there.
+"""mypy --strict accepts the package and correct programs that use it, and rejects wrong ones.
 
 Run as `python3 TestHints.py`; skipped where mypy is not installed.
 """
@@ -54,7 +54,7 @@ version: int = skyline.__version__
 
 
 def check(*arguments):
-    """mypy's lines that are errors."""
+    """The lines of mypy that are errors."""
     command = [sys.executable, "-m", "mypy", "--strict", "--enable-incomplete-feature=Unpack",
                "--ignore-missing-imports", "--cache-dir", FOLDER, "--no-error-summary", *arguments]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, cwd=FOLDER,

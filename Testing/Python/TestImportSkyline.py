@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""`import skyline` gives every class of the three wrapped rooms, and they work as a pipeline."""
+"""`import skyline` provides all classes of the three wrapped modules, and they work in a pipeline."""
 
 import unittest
 
@@ -47,7 +47,8 @@ class TestImportSkyline(unittest.TestCase):
         horizon.Update()
         result = horizon.GetOutput().GetPointData().GetArray("HorizonElevation")
         degrees = vtk_to_numpy(result).reshape(4, 5, 4)
-        # Row 0 is the south edge: nothing lies south of it, level ground in the other directions.
+        # Row 0 is the southern edge: there is no terrain south of it, and level ground in the other
+        # directions.
         self.assertEqual(list(degrees[0, 2]), [0.0, 0.0, -90.0, 0.0])
         self.assertEqual(list(degrees[2, 2]), [0.0, 0.0, 0.0, 0.0])
 

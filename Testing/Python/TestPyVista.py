@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""PyVista's own objects in, and pyvista.wrap of what comes out; skipped where PyVista is not installed."""
+"""PyVista's objects as input, and pyvista.wrap of the results. Skipped if PyVista is not installed."""
 
 import sys
 import unittest
@@ -20,7 +20,7 @@ def hills(rows=40, columns=50):
 
 
 def grid_of(z, spacing):
-    """An image as users of PyVista make it, row 0 of z the north edge."""
+    """An image as users of PyVista make it, with the northern edge of z in row 0."""
     grid = pyvista.ImageData(dimensions=(z.shape[1], z.shape[0], 1), spacing=(spacing, spacing, 1.0))
     grid["height"] = z[::-1].ravel()
     return grid

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Running pipelines: other threads go on, and what observers and signals raise ends the run."""
+"""Running pipelines: other threads continue, and exceptions of observers and signal handlers end the
+run."""
 
 import os
 import signal
@@ -76,8 +77,8 @@ class Observers(unittest.TestCase):
 
 class Threads(unittest.TestCase):
     def test_other_threads_go_on(self):
-        # Few azimuths of many posts: a held lock lets through a tick or two at each look at the observers,
-        # which come a few times a second.
+        # Few azimuths of many posts. If the lock were held, other threads would run only once or
+        # twice at each call of an observer, a few times per second.
         sky, ticks, done = long_run(), [0], threading.Event()
         sky.SetInputData(skyline.to_image(np.tile(HILLS, (3, 3)), 10.0))
         sky.SetNumberOfAzimuths(6)
@@ -99,7 +100,7 @@ class Threads(unittest.TestCase):
         finally:
             done.set()
             other.join()
-        # On a machine that has nothing else to do, nearly 1000 a second.
+        # On an idle machine, nearly 1000 per second.
         self.assertGreater(ticked, 100 * seconds)
 
     def test_runs_of_many_threads_are_the_same(self):
@@ -123,7 +124,7 @@ class Threads(unittest.TestCase):
 
 
 class Signals(unittest.TestCase):
-    """A handler runs during a run, and what it raises ends the run."""
+    """A signal handler runs during a run, and its exception ends the run."""
 
     def raised_by(self, handler):
         before = signal.signal(signal.SIGUSR1, handler)
@@ -200,7 +201,7 @@ class EdgeTrust(unittest.TestCase):
 
 
 class Eclipse(unittest.TestCase):
-    """Burgos, 2026-08-12: total at 18:29 UTC."""
+    """The eclipse at Burgos on 2026-08-12, total at 18:29 UTC."""
 
     def setUp(self):
         self.burgos = skyline.to_image(

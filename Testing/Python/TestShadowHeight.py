@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The wrapped classes of shadow heights: a house in the shadow of a ridge."""
+"""The wrapped classes for shadow heights: a house in the shadow of a ridge."""
 import unittest
 
 import skyline
@@ -29,7 +29,7 @@ class Wrapped(unittest.TestCase):
         shadow.SetSunElevation(45.0)
         shadow.SoftOn()
         points = vtkPoints()
-        for height in [5.0, 29.9, 30.1, 45.0]:  # 20 m behind the ridge: shadow to 30 m
+        for height in [5.0, 29.9, 30.1, 45.0]:  # 20 m behind the ridge the shadow reaches up to 30 m
             points.InsertNextPoint(80.0, 10.0, height)
         cloud = vtkPolyData()
         cloud.SetPoints(points)
@@ -44,7 +44,7 @@ class Wrapped(unittest.TestCase):
         self.assertEqual(values[3], 1.0)
 
     def test_mapper(self):
-        """A roof at 20 m: dark near the ridge, lit beyond 30 m from it; read from pixels."""
+        """A roof at 20 m, read from pixels: dark near the ridge, lit beyond 30 m from it."""
         if not skyline.vtkSkylineEGLWindow.IsSupported():
             self.skipTest("no OpenGL context")
         shadow = skyline.vtkHeightFieldShadowHeight()

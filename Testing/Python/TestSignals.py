@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Signals that end Python while it writes leave no temporary file; sources are not written over."""
+"""Signals that end Python while it writes leave no temporary file; source files are not overwritten."""
 import os
 import signal
 import subprocess
@@ -11,7 +11,7 @@ import numpy as np
 
 import skyline
 
-# Tells when a temporary is there, then waits for its end in the midst of writing.
+# Prints a line when the temporary file exists, then waits for the signal while it is writing.
 WRITING = """
 import os, signal, sys, time
 import numpy as np, skyline

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files and names that lead elsewhere: no connection, nothing read outside the folder, unless asked.
+"""Files and names that refer to other places: no connection or outside access without an option.
 
 Run as `python3 TestUntrusted.py`.
 
-Every connection would go to a listener on 127.0.0.1, which counts them; every local secret is a raster
-that GDAL itself opens, so that a hostile file which is not stopped gives a result. Both are shown to be
-able to fail: what is asked for by an option does connect, and does read.
+All connections would go to a listener on 127.0.0.1, which counts them. All local secrets are rasters that
+GDAL can open, so that a hostile file that is not stopped gives a result. The tests can fail: with the
+options that allow it, the reader does connect, and does read them.
 """
 import os
 import shutil
@@ -28,11 +28,11 @@ except ImportError as missing:
 
 gdal.UseExceptions()
 
-SIZE = 12  # posts on a side
+SIZE = 12  # posts per side
 
 
 class Listener:
-    """Counts who connects; answers nothing."""
+    """Counts connections, and answers none."""
 
     def __init__(self):
         self.server = socket.create_server(("127.0.0.1", 0))
@@ -69,7 +69,7 @@ def raw(name, before=""):
 
 
 def servers(port):
-    """Names of a raster on a server, in all the ways of GDAL."""
+    """Names of a raster on a server, in all forms that GDAL supports."""
     url = f"http://127.0.0.1:{port}"
     return {
         "http": f"{url}/dem.tif",
@@ -112,7 +112,7 @@ def servers(port):
 
 
 def services(port):
-    """Texts that are rasters on a server."""
+    """Texts that describe rasters on a server."""
     url = f"http://127.0.0.1:{port}"
     return {
         "wms": f"<GDAL_WMS><Service name='TMS'><ServerUrl>{url}/${{z}}/${{x}}/${{y}}.png</ServerUrl>"
@@ -147,7 +147,7 @@ class Untrusted(unittest.TestCase):
         self.give_credentials()
 
     def give_credentials(self):
-        """Whatever would connect finds its server: the listener."""
+        """Each attempt to connect reaches the listener."""
         place = f"127.0.0.1:{self.listener.port}"
         given = {
             "AWS_S3_ENDPOINT": place, "AWS_HTTPS": "NO", "AWS_VIRTUAL_HOSTING": "FALSE",
@@ -174,7 +174,7 @@ class Untrusted(unittest.TestCase):
         return self.inside(name)
 
     def stopped(self, name, says="", **options):
-        """The reader refuses in one line, and did not connect."""
+        """The reader must refuse in one line and must not connect."""
         with self.assertRaises(skyline.Error) as refusal:
             skyline.read(name, **options)
         self.assertEqual(self.listener.count, 0, "a connection was opened")
@@ -191,12 +191,12 @@ class Untrusted(unittest.TestCase):
         self.assertEqual(self.listener.count, 0, "a connection was opened")
 
     def connects(self, name, **options):
-        """The listener is there, and can be met."""
+        """The listener runs and can be reached."""
         before = self.listener.count
         try:
             skyline.read(name, **options)
         except skyline.Error:
-            pass  # nothing was answered
+            pass  # there is no answer
         self.assertGreater(self.listener.count, before, name)
 
     def test_names_of_servers(self):
@@ -243,11 +243,11 @@ class Untrusted(unittest.TestCase):
                     "</VSISparseFile>"))),
             }
             for kind, text in texts.items():
-                # GDAL may keep in mind which sources failed, and then it asks nobody again.
+                # GDAL may remember sources that failed, and not try them again.
                 text = text.replace("/dem.tif", f"/{kind.replace(' ', '-')}.tif")
                 with self.subTest(kind=kind, away=away):
                     line = self.stopped(self.write("dem.tif", text))
-                    if kind != "pansharpened":  # where GDAL says itself what is wrong
+                    if kind != "pansharpened":  # for which GDAL reports the error itself
                         self.assertIn(option, line)
 
     def test_services(self):
@@ -281,7 +281,7 @@ class Untrusted(unittest.TestCase):
                        f"key='OVERVIEW_FILE'>{name}</MDI></Metadata><Metadata domain='Mask'><MDI "
                        f"key='MASK_FILE'>{name}</MDI></Metadata></PAMDataset>")
             try:
-                skyline.read(self.inside("good.tif"))  # GDAL may have no use for it
+                skyline.read(self.inside("good.tif"))  # GDAL may not need it
             except skyline.Error as refusal:
                 self.assertIn("allow_", str(refusal))
             self.assertEqual(self.listener.count, 0)
@@ -322,7 +322,7 @@ class Untrusted(unittest.TestCase):
                 self.stopped(self.write("dem.tif", vrt(source(name))))
 
     def test_detached_headers(self):
-        """Formats whose header names the file of the heights."""
+        """Formats whose header names the file with the heights."""
         size = f"{SIZE}"
         headers = {
             "dem.lbl": "PDS_VERSION_ID = PDS3\r\nRECORD_TYPE = FIXED_LENGTH\r\nRECORD_BYTES = 12\r\n"
@@ -340,7 +340,7 @@ class Untrusted(unittest.TestCase):
                 self.stopped(self.write(name, text))
 
     def test_what_is_asked_for(self):
-        """The tests above can fail."""
+        """Shows that the tests above can fail."""
         url = f"/vsicurl/http://127.0.0.1:{self.listener.port}/dem.tif"
         self.connects(url, allow_network=True)
         self.connects(f"http://127.0.0.1:{self.listener.port}/dem.tif", allow_network=True)
@@ -357,7 +357,7 @@ class Untrusted(unittest.TestCase):
                 skyline.read(self.secret, drivers=wrong)
 
     def test_only_while_reading(self):
-        """Who shares GDAL with us opens what he likes."""
+        """Other code that uses GDAL in the same process can open any file."""
         hostile = self.write("dem.vrt", vrt(source(self.secret)))
         self.stopped(hostile)
         self.assertEqual(gdal.Open(hostile).ReadAsArray().shape, (SIZE, SIZE))
@@ -385,7 +385,7 @@ class Untrusted(unittest.TestCase):
         self.passes("mine/a.vrt")
         self.passes(f"vrt://{self.secret}?bands=1")
         self.passes(f"GTIFF_DIR:1:{self.secret}")
-        self.passes(vrt(source(self.secret)))  # named in full by the user
+        self.passes(vrt(source(self.secret)))  # named by the user with its full path
         with zipfile.ZipFile(self.inside("a.zip"), "w") as archive:
             archive.write(self.inside("a.vrt"), "a.vrt")
             archive.write(self.secret, "good.tif")
@@ -403,7 +403,7 @@ class Untrusted(unittest.TestCase):
                 try:
                     gdal.Translate(path, small, format=kind)
                 except RuntimeError:
-                    continue  # this GDAL does not write it
+                    continue  # this GDAL cannot write it
                 self.passes(path)
         raster = gdal.Open(self.inside("good.tif"))
         with_mask = gdal.Translate(self.inside("mask.tif"), raster)

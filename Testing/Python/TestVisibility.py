@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Visibility and transfer from Python: irradiance is a dot product."""
+"""Visibility and transfer from Python: the irradiance is a dot product."""
 
 import math
 import unittest
@@ -13,7 +13,7 @@ import skyline
 
 
 def eggtray(size=48):
-    """Hills of 60 m, 320 m apart, on a lattice of 10 m."""
+    """Hills of 60 m, 320 m apart, with posts 10 m apart."""
     x = numpy.arange(size) * 2.0 * math.pi / 32.0
     image = vtkImageData()
     image.SetDimensions(size, size, 1)
@@ -46,7 +46,7 @@ class TestVisibility(unittest.TestCase):
         visibility.SetSwathWidth(20.0)
         values = coefficients(visibility, "VisibilitySH")
         self.assertEqual(values.shape, (48 * 48, 36))
-        # The swath's share of the hemisphere's sqrt(pi), at most.
+        # At most the swath's share of sqrt(pi), the norm of the hemisphere.
         self.assertLessEqual(values[:, 0].max(), math.sqrt(math.pi) * 20.0 / 360.0 + 1e-6)
 
     def test_pyramid(self):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From heights to sky: shapes with closed forms as posts, their horizons by the oracle, their sky
-// by the accumulators. Long shapes are cut where the last ray but that along the shape leaves them.
+// From heights to sky: shapes with closed forms, given as posts, with horizons by the oracle and
+// sky by the accumulators. Long shapes are long enough that all rays, except those along the shape,
+// leave them at the side.
 #include "HeightField/Normals.h"
 #include "Reference/Shapes.h"
 #include "Testing/Module/KernelTesting.h"
@@ -16,15 +17,15 @@ namespace testing
 namespace
 {
 
-/// Azimuths, each in the middle of its swath: rays 0.5 degrees off the axes at the nearest.
+/// Azimuths, each in the middle of its swath: all rays are at least 0.5 degrees away from the axes.
 constexpr int AzimuthCount = 360;
 
-/// Length in spacings that a ray half a degree off a wall needs to come a spacing nearer.
+/// The length in spacings over which a ray half a degree off a wall approaches it by one spacing.
 constexpr std::ptrdiff_t Reach = 116;
 
-/// The midpoint rule errs by w^2 / 24 / 2 pi a kink of the summed function, w = 2 pi / 360. Where a
-/// horizon of greatest slope `steep` turns down to 0 and up again, as across a valley's line, sin h
-/// has two kinks of 2 steep; and the sums' rounding.
+/// The midpoint rule has an error of w^2 / 24 / 2 pi for each kink of the integrand, with w = 2 pi
+/// / 360. If a horizon with the greatest slope `steep` falls to 0 and rises again, as across the
+/// line of a valley, sin h has two kinks of 2 steep. The rounding of the sums is added.
 double QuadratureBound(double steep)
 {
   const double w = 2.0 * Pi / AzimuthCount;
@@ -81,7 +82,8 @@ TEST(DiscretisedShapes, TrenchOfFourSpacings)
   for (const auto& size : sizes)
   {
     const double height = size[0], width = size[1];
-    // The upper edges lie 2 spacings from the middle line, and 1 and 3 from the line beside it.
+    // The upper edges are 2 spacings from the middle line, and 1 and 3 spacings from the line
+    // beside it.
     const oracle::OracleField field = shapes::Trench(9, 8 * Reach + 1, 0.25 * width, height, 1);
     const double bound = QuadratureBound(4.0 * height / width);
     const auto cosine = [=](double x) { return x / std::hypot(x, height); };
@@ -110,7 +112,7 @@ TEST(DiscretisedShapes, WallOneSpacingAway)
   }
 }
 
-/// A round rim drawn by posts lies up to a spacing and a half beyond the circle.
+/// A round rim made of posts lies up to one and a half spacings outside the circle.
 void ExpectRoundRim(
   const oracle::OracleField& field, std::ptrdiff_t radius, double height, double spacing)
 {
@@ -124,7 +126,7 @@ void ExpectRoundRim(
     EXPECT_LE(slope, height / r * (1.0 + 1e-12)) << azimuth;
     if (azimuth % 90 == 0)
     {
-      EXPECT_NEAR(slope, height / r, 1e-12) << azimuth; // the rim's post on the axis
+      EXPECT_NEAR(slope, height / r, 1e-12) << azimuth; // the post of the rim on the axis
     }
   }
 }
@@ -144,7 +146,7 @@ TEST(DiscretisedShapes, BowlSeenFromItsBottom)
   for (const double degrees : { 30.0, 60.0, 90.0 })
   {
     const double cap = degrees * RadiansPerDegree;
-    // A sphere whose rim passes through the posts 64 columns and rows away, on the inner side.
+    // A sphere whose rim passes just inside the posts that are 64 columns or rows away.
     const double sphere = 64.0 / std::sin(cap) * (1.0 - 1e-13);
     const double depth = sphere * (1.0 - std::cos(cap));
     ExpectRoundRim(shapes::Bowl(139, 139, 1.0, sphere, cap), 64, depth, 1.0);
@@ -162,8 +164,8 @@ TEST(DiscretisedShapes, DipOfASphere)
     const double dip =
       oracle::ElevationDegrees(oracle::HorizonSlope(field, 1, 0, oracle::DirectionOfAzimuth(0.0)));
     const double truth = -std::acos(radius / (radius + eye)) * DegreesPerRadian;
-    // The parabola leaves eye / 4R of the dip; posts 500 m apart miss the point of contact by 250 m
-    // at the most, which raises the line of sight by sink * 250^2 over its distance.
+    // The parabola changes the dip by eye / 4R. Posts 500 m apart miss the point of contact by at
+    // most 250 m, which raises the line of sight by sink * 250^2 divided by the distance.
     const double contact = std::sqrt(2.0 * radius * eye);
     const double bound = 0.26 * eye / radius * -truth +
       field.Sink * 250.0 * 250.0 / (contact - 250.0) * DegreesPerRadian;

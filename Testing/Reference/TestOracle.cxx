@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The oracle against closed forms, and against a sampler of the surface that knows no edges.
+// The oracle, compared with closed forms and with samples of the surface along the rays.
 #include "Reference/Oracle.h"
 #include "Reference/Shapes.h"
 
@@ -15,7 +15,7 @@ namespace testing
 namespace
 {
 
-/// Rounding of a few operations in double, relative to slopes of about 1.
+/// The error of a few operations in double precision, relative to slopes near 1.
 constexpr double RoundingBound = 1.0e-12;
 
 constexpr double Missing = std::numeric_limits<double>::quiet_NaN();
@@ -26,7 +26,7 @@ double Slope(
   return oracle::HorizonSlope(field, column, row, oracle::DirectionOfAzimuth(degrees));
 }
 
-/// Height of the surface at a place inside the lattice, from its cell alone; NaN where it has none.
+/// The height of the surface at a position, from its cell alone; NaN if the cell has no surface.
 double HeightAt(const oracle::OracleField& field, double x, double y)
 {
   const auto i = std::min(static_cast<std::ptrdiff_t>(x), field.Columns - 2);
@@ -45,7 +45,7 @@ double HeightAt(const oracle::OracleField& field, double x, double y)
   return p >= q ? sw + p * (se - sw) + q * (ne - se) : sw + q * (nw - sw) + p * (ne - nw);
 }
 
-/// The greatest slope over `count` places a metre along the ray.
+/// The greatest slope of `count` samples per metre along the ray.
 double SampledSlope(const oracle::OracleField& field, std::ptrdiff_t column, std::ptrdiff_t row,
   double degrees, int count)
 {
@@ -105,14 +105,14 @@ TEST(Oracle, NothingLiesBeyondTheEdge)
   EXPECT_EQ(Slope(field, 4, 1, 90.0), oracle::NoTerrain);
   EXPECT_EQ(Slope(field, 4, 1, 10.0), oracle::NoTerrain);
   EXPECT_EQ(oracle::ElevationDegrees(Slope(field, 2, 0, 180.0)), -90.0);
-  // Along the edge itself lies terrain.
+  // Along the edge of the data there is terrain.
   EXPECT_EQ(Slope(field, 4, 1, 0.0), 0.0);
   EXPECT_EQ(Slope(field, 1, 0, 90.0), 0.0);
 }
 
 TEST(Oracle, WallOnAPlane)
 {
-  // Its upper edge, 3 spacings away; the rays must meet it inside the data.
+  // The upper edge of the wall, 3 spacings away. The rays must meet it inside the data.
   const oracle::OracleField field = shapes::Wall(12, 41, 2.0, 5.0, 8);
   for (int azimuth = 20; azimuth <= 160; azimuth += 5)
   {
@@ -141,10 +141,12 @@ TEST(Oracle, DiagonalRunsFromSouthWestToNorthEast)
   oracle::OracleField field(2, 2, 1.0, 1.0);
   field.At(0, 1) = 1.0;
   field.At(1, 0) = -10.0;
-  // From the north-west post the ray to the south-east meets the diagonal, at 0, in the middle.
+  // From the north-western post, the ray to the south-east meets the middle of the diagonal, where
+  // the height is 0.
   EXPECT_NEAR(Slope(field, 0, 1, 135.0), -1.0 / std::sqrt(0.5), RoundingBound);
   field.Through = Surface::Bilinear;
-  // There the patch is 1 - 2 p - 9 p^2 at p of the way: its slope at the feet is the greatest.
+  // There the height of the patch is 1 - 2 p - 9 p^2 at the part p of the way, so its slope at the
+  // receiver is the greatest.
   EXPECT_NEAR(Slope(field, 0, 1, 135.0), -2.0 / std::sqrt(2.0), RoundingBound);
   field.At(0, 0) = 4.0; // 1 + 2 p - 13 p^2
   EXPECT_NEAR(Slope(field, 0, 1, 135.0), 2.0 / std::sqrt(2.0), RoundingBound);
@@ -152,12 +154,13 @@ TEST(Oracle, DiagonalRunsFromSouthWestToNorthEast)
 
 TEST(Oracle, BilinearPatchHasItsMaximumInside)
 {
-  // Seen from post (0, 0) along the diagonal of cell (1, 1): the ridge between (2, 1) and (1, 2).
+  // Seen from the post (0, 0) along the diagonal of the cell (1, 1): the ridge between (2, 1) and
+  // (1, 2).
   oracle::OracleField field(3, 3, 1.0, 1.0);
   field.At(2, 1) = field.At(1, 2) = 8.0;
   field.Through = Surface::Bilinear;
-  // At u = 1 + p the height is 16 p (1 - p) and the slope 16 p (1 - p) / (sqrt 2 (1 + p)), greatest
-  // at p = sqrt 2 - 1.
+  // At u = 1 + p the height is 16 p (1 - p), and the slope 16 p (1 - p) / (sqrt 2 (1 + p)) is
+  // greatest at p = sqrt 2 - 1.
   const double p = std::sqrt(2.0) - 1.0;
   EXPECT_NEAR(Slope(field, 0, 0, 45.0), 16.0 * p * (1.0 - p) / (std::sqrt(2.0) * (1.0 + p)),
     10.0 * RoundingBound);
@@ -167,8 +170,8 @@ TEST(Oracle, BilinearPatchHasItsMaximumInside)
 
 TEST(Oracle, AgreesWithSamplesOfTheSurface)
 {
-  // Rays are sampled every millimetre, crossings lie half a metre away or more and slopes are below
-  // 10: the samples fall short by less than this.
+  // Rays are sampled each millimetre, crossings are at least half a metre away, and slopes are
+  // below 10. Therefore the samples are lower by less than this value.
   constexpr double resolution = 0.02;
   oracle::OracleField field = shapes::Fractal(13, 11, 1.0, 8.0, 5, 0.7);
   field.SpacingY = 1.7;
@@ -189,7 +192,8 @@ TEST(Oracle, AgreesWithSamplesOfTheSurface)
             {
               const double truth = Slope(field, column, row, azimuth);
               const double sampled = SampledSlope(field, column, row, azimuth, 1000);
-              // Sink between crossings is convex: by 1e-6 a sample may pass the crossings.
+              // The sink between crossings is convex: a sample can be up to 1e-6 above the
+              // crossings.
               EXPECT_LE(sampled, truth + 1.0e-5) << column << " " << row << " " << azimuth;
               EXPECT_LE(truth, sampled + resolution) << column << " " << row << " " << azimuth;
             }
@@ -204,12 +208,12 @@ TEST(Oracle, CellsWithAMissingPostHaveNoSurface)
 {
   oracle::OracleField field = shapes::Spike(9, 9, 1.0, 100.0, 4, 6);
   EXPECT_EQ(Slope(field, 4, 2, 0.0), 25.0);
-  // One of four cells left: the spike still counts, on its post and on that cell's side alone.
+  // With one of four cells left, the spike still counts at its post and on the side of this cell.
   field.At(5, 5) = field.At(5, 7) = field.At(3, 7) = Missing;
   EXPECT_EQ(Slope(field, 4, 2, 0.0), 25.0);
   EXPECT_GT(Slope(field, 2, 2, 20.0), 1.0);
   EXPECT_LT(Slope(field, 6, 2, 340.0), 1.0);
-  // No complete cell left: nothing hides.
+  // Without a complete cell, it hides nothing.
   field.At(3, 5) = Missing;
   EXPECT_LT(Slope(field, 4, 2, 0.0), 1.0);
   EXPECT_TRUE(std::isnan(Slope(field, 3, 5, 0.0)));
@@ -217,7 +221,8 @@ TEST(Oracle, CellsWithAMissingPostHaveNoSurface)
 
 TEST(Oracle, TouchingACornerCounts)
 {
-  // Only cell (3, 3) is complete; the ray along the diagonal to the north-west passes its corner.
+  // Only the cell (3, 3) is complete. The ray along the diagonal to the north-west touches its
+  // corner.
   oracle::OracleField field(8, 8, 1.0, 1.0);
   for (double& height : field.Heights)
   {
@@ -238,8 +243,8 @@ TEST(Oracle, GroundSinksWithTheSquareOfDistance)
   const double sink = 0.5 / 6371000.0;
   oracle::OracleField field = shapes::Spike(3, 301, 1000.0, 300.0, 1, 0);
   field.Sink = sink;
-  // From the plain the spike 200 km away; from the spike the plain, nearest to level at
-  // d = sqrt(300 / sink) = 61.8 km: 62 km on the posts.
+  // From the plain, the horizon is the next post, not the spike 200 km away. From the spike, it is
+  // the plain at d = sqrt(300 / sink) = 61.8 km, which is 62 km on the posts.
   EXPECT_NEAR(Slope(field, 1, 200, 180.0), -sink * 1000.0, 1e-15); // the next post is the horizon
   EXPECT_NEAR(Slope(field, 1, 0, 0.0), -(300.0 + sink * 62.0e3 * 62.0e3) / 62.0e3, 1e-15);
 }
@@ -259,7 +264,7 @@ TEST(Oracle, SkyOfOpenLevelGround)
 
 TEST(Oracle, DiscCutByALevelHorizon)
 {
-  // 480000 samples, those on the line of the cut count in whole: 1 / 400 of the disc at the most.
+  // 480000 samples; those on the line of the cut count fully: at most 1 / 400 of the disc.
   constexpr double bound = 0.0025;
   const double radius = 0.27 * RadiansPerDegree;
   for (int k = -4; k <= 4; ++k)

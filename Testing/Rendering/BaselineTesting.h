@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures against stored ones, strictly.
+// Compares pictures with stored ones, with a strict tolerance.
 #ifndef skyline_BaselineTesting_h
 #define skyline_BaselineTesting_h
 
@@ -24,11 +24,12 @@ namespace skyline
 namespace testing
 {
 
-/// Codes that a pixel may differ by: rounding of drivers.
+/// The difference of codes that the rounding of drivers can cause in a pixel.
 constexpr int CodeThreshold = 2;
 
-/// Whole pixels' worth of difference in a picture: on a rim of the mesh a pixel centre may fall to the
-/// other side with another driver. A picture 7 % darker differs by more.
+/// The allowed difference of a picture in whole pixels: at the rim of the mesh, the centre of a
+/// pixel may fall on the other side with another driver. A picture that is 7 % darker differs by
+/// more.
 constexpr double RimPixels = 4.0;
 
 inline vtkSmartPointer<vtkImageData> PictureOf(vtkRenderWindow* window)
@@ -42,8 +43,8 @@ inline vtkSmartPointer<vtkImageData> PictureOf(vtkRenderWindow* window)
   return picture;
 }
 
-/// The difference in whole pixels, as vtkImageDifference counts it beyond the threshold: no shift is
-/// allowed and nothing averaged. VTK's usual comparison lets a picture pass at 0.6 of its brightness.
+/// The difference in whole pixels, as vtkImageDifference counts it above the threshold, without
+/// shift or averaging. VTK's usual comparison accepts a picture with 0.6 of the brightness.
 inline double Difference(vtkImageData* picture, vtkImageData* baseline)
 {
   const int* seen = picture->GetDimensions();
@@ -63,8 +64,9 @@ inline double Difference(vtkImageData* picture, vtkImageData* baseline)
   return difference->GetThresholdedError();
 }
 
-/// Holds the window's picture against Testing/Data/Baseline/<name>.png. Where it differs, the picture
-/// is left in the test's output folder; copied over the baseline, it becomes the new one.
+/// Compares the picture of the window with Testing/Data/Baseline/<name>.png. If they differ, the
+/// picture is saved in the output folder of the test; copied over the baseline, it becomes the new
+/// one.
 inline void ExpectBaseline(vtkRenderWindow* window, const std::string& name)
 {
   const auto picture = PictureOf(window);

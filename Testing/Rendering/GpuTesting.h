@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fields for the filters of the GPU, and how far two arrays differ.
+// Fields for the filters on the graphics processor, and the difference of two arrays.
 #ifndef skyline_GpuTesting_h
 #define skyline_GpuTesting_h
 
@@ -20,8 +20,8 @@ namespace skyline
 namespace testing
 {
 
-/// The greatest difference of two arrays; infinite if they are not alike, missing values in the same
-/// places included.
+/// The greatest difference of two arrays. It is infinite if their sizes or their missing values
+/// differ.
 inline double Difference(vtkFloatArray* a, vtkFloatArray* b)
 {
   const double infinite = std::numeric_limits<double>::infinity();
@@ -48,7 +48,7 @@ inline oracle::OracleField Hills(std::ptrdiff_t columns, std::ptrdiff_t rows)
   return shapes::Fractal(columns, rows, 30.0, 1500.0, 7);
 }
 
-/// The same with holes.
+/// Hills with missing areas.
 inline oracle::OracleField HolyHills(std::ptrdiff_t columns, std::ptrdiff_t rows)
 {
   oracle::OracleField field = Hills(columns, rows);
@@ -56,7 +56,7 @@ inline oracle::OracleField HolyHills(std::ptrdiff_t columns, std::ptrdiff_t rows
   return field;
 }
 
-/// Base of all tests that compute there: skips where no context can be had.
+/// The base of all tests that use the graphics processor. It skips the test if there is no context.
 class GpuTest : public ::testing::Test
 {
 protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Small scenes for the mapper, looked at from above, one pixel a post.
+// Small scenes for the mapper, seen from above, with one pixel per post.
 #ifndef skyline_MapperTesting_h
 #define skyline_MapperTesting_h
 
@@ -39,8 +39,8 @@ namespace testing
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// Light and colours pass through 32-bit floats, 16-bit ones for harmonics, and the processor's pow:
-/// a code may round to its neighbour.
+/// Light and colours are 32-bit floats, harmonics 16-bit floats, and the shader uses the function
+/// pow of the graphics processor. A code can differ by one.
 constexpr int CodeTolerance = 1;
 
 using Byte3 = std::array<int, 3>;
@@ -83,7 +83,7 @@ inline void AddArray(vtkImageData* image, const char* name, int components, cons
   image->GetPointData()->AddArray(array);
 }
 
-/// The codes of a ground of an albedo (linear) under an irradiance, at an exposure of 0 stops.
+/// The codes of a ground with the given albedo (linear) and irradiance, at an exposure of 0 stops.
 inline Byte3 Seen(const Rgb& albedo, const Rgb& irradiance)
 {
   Rgb light;
@@ -95,8 +95,8 @@ inline Byte3 Seen(const Rgb& albedo, const Rgb& irradiance)
   return { { SrgbByte(tone[0]), SrgbByte(tone[1]), SrgbByte(tone[2]) } };
 }
 
-/// A renderer that looks straight down on a height field: pixel (i, j) shows post (i, j). The outermost
-/// posts lie on the rim of the mesh, where a pixel may be left undrawn.
+/// A renderer that looks straight down at a height field: pixel (i, j) shows post (i, j). The
+/// outermost posts lie on the rim of the mesh, where a pixel may not be drawn.
 class MapScene
 {
 public:
@@ -142,8 +142,8 @@ public:
   vtkNew<vtkRenderer> Renderer;
 };
 
-/// A mapper that draws all triangles of a height field in its light, from a mesh with corners at
-/// every stride-th post.
+/// A mapper that draws a height field with its own light, with a mesh whose corners are at every
+/// stride-th post.
 inline vtkSmartPointer<vtkSkylineSoftShadowPolyDataMapper> MapperOf(
   vtkImageData* image, int stride = 1)
 {
@@ -167,7 +167,7 @@ inline void ExpectNear(const Byte3& seen, const Byte3& expected, const std::stri
   }
 }
 
-/// Base of all fixtures that draw: skips where no OpenGL context can be had.
+/// The base of all fixtures that draw. It skips the test if there is no OpenGL context.
 class Drawing : public ::testing::Test
 {
 protected:

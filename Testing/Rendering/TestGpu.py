@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The graphics processor from Python: each GPU filter against its host."""
+"""The graphics processor from Python: each filter is compared with its counterpart on the host."""
 
 import sys
 import unittest
@@ -9,12 +9,12 @@ import skyline
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-SKIPPED = 77  # what ctest counts as skipped
-ROUNDING = 1.0e-4  # degrees, coefficients, irradiance: the tests in C++ are stricter
+SKIPPED = 77  # the exit code that ctest counts as skipped
+ROUNDING = 1.0e-4  # degrees, coefficients, irradiance; the tests in C++ are stricter
 
 
 def hills(columns=40, rows=30):
-    """Hills of 60 m on a lattice of 10 m."""
+    """Hills of 60 m with posts 10 m apart."""
     x, y = numpy.meshgrid(numpy.arange(columns) * 0.3, numpy.arange(rows) * 0.2)
     image = vtkImageData()
     image.SetDimensions(columns, rows, 1)

@@ -22,7 +22,7 @@ namespace
 
 constexpr int NoDevice = 12345;
 
-// Degrees and irradiance: see TestGpuHorizon and TestGpuIrradiance, which are stricter.
+// Degrees and irradiance. TestGpuHorizon and TestGpuIrradiance are stricter.
 constexpr double RoundingTolerance = 1.0e-4;
 
 void Configure(vtkHeightFieldVisibility* filter, vtkImageData* image)
@@ -47,7 +47,7 @@ void Configure(vtkHeightFieldIrradiance* filter, vtkImageData* image)
   filter->AddLight(key);
 }
 
-/// A GPU filter whose errors are counted, with what its host makes of the same.
+/// A filter on the graphics processor whose errors are counted, and its counterpart on the host.
 template <typename Gpu, typename Host>
 struct Pair
 {
@@ -67,7 +67,7 @@ struct Pair
     this->Expected = ArrayOf(host, name);
   }
 
-  /// Its difference from the host after an update.
+  /// The difference from the host after an update.
   double Update()
   {
     this->There->Modified();
@@ -75,7 +75,8 @@ struct Pair
     return Difference(ArrayOf(this->There, this->Name), this->Expected);
   }
 
-  /// Updates twice: the host computes to the last bit, and one error of one line gives the reason.
+  /// Updates twice. The result must be that of the host to the last bit, and one error of one line
+  /// must give the reason.
   void ExpectHost(const std::string& reason)
   {
     for (int update = 0; update < 2; ++update)
@@ -99,7 +100,7 @@ using TransferPair = Pair<vtkOpenGLHeightFieldTransfer, vtkHeightFieldTransfer>;
 using HorizonPair = Pair<vtkOpenGLHeightFieldHorizon, vtkHeightFieldHorizon>;
 using IrradiancePair = Pair<vtkOpenGLHeightFieldIrradiance, vtkHeightFieldIrradiance>;
 
-/// Calls test(pair) for a GPU filter of each kind.
+/// Calls test(pair) for each filter on the graphics processor.
 template <typename Test>
 void ForEveryGpu(vtkImageData* image, const Test& test)
 {
@@ -109,7 +110,7 @@ void ForEveryGpu(vtkImageData* image, const Test& test)
   test(IrradiancePair(image, "Irradiance"));
 }
 
-// Needs no context: on every machine there is no device 12345.
+// Runs without a context too: no machine has a device 12345.
 TEST(GpuFailures, WithoutAContextTheHostComputesAndSaysSoOnce)
 {
   const auto image = ImageOf<vtkDoubleArray>(Hills(30, 20));
@@ -181,7 +182,7 @@ TEST_F(GpuContexts, ALostOneIsReplaced)
   ASSERT_TRUE(gpu->IsOnDevice());
   ASSERT_NE(gpu->GetTexture(0), nullptr);
   window->Finalize();
-  EXPECT_EQ(gpu->GetTexture(0), nullptr); // gone with the context
+  EXPECT_EQ(gpu->GetTexture(0), nullptr); // lost with the context
   gpu->Modified();
   gpu->Update();
   EXPECT_TRUE(gpu->IsOnDevice());
@@ -227,7 +228,7 @@ TEST_F(GpuContexts, AnXServerDoesToo)
   gpu->GetDevice()->SetRenderWindow(window);
   gpu->Update();
   EXPECT_TRUE(gpu->IsOnDevice());
-  constexpr double rounding = 1.0e-5; // another driver perhaps
+  constexpr double rounding = 1.0e-5; // the driver may differ
   EXPECT_LT(Difference(ArrayOf(gpu, "VisibilitySH"), before), rounding);
 }
 
@@ -250,7 +251,7 @@ TEST_F(GpuContexts, ALostOneThatStaysAwayIsMissed)
       window->Finalize();
       window->SetDevice(NoDevice);
       pair.ExpectHost("");
-      // It is used again when it is there again.
+      // It is used again when it is available again.
       window->Finalize();
       window->SetDevice(-1);
       EXPECT_LT(pair.Update(), RoundingTolerance);
@@ -274,7 +275,8 @@ TEST_F(GpuContexts, TexturesThatHoldNothingAreAnError)
     });
 }
 
-/// Updates a GPU filter, which must give an error of its host's own, once, and no array.
+/// Updates a filter on the graphics processor, which must report an error of its base class once
+/// and make no array.
 void ExpectRefused(vtkHeightFieldAlgorithm* gpu, ErrorCatcher* errors, const std::string& reason)
 {
   errors->Count = 0;
@@ -318,7 +320,7 @@ TEST_F(GpuContexts, BadSettingsAreErrorsAsOnTheHost)
     gpu->SetLevelOffset(-1.0);
     ExpectRefused(gpu, pair.Errors, "level offset");
     gpu->SetLevelOffset(2.0);
-    // What is put right is computed.
+    // After the correction the filter computes.
     EXPECT_LT(pair.Update(), RoundingTolerance);
     EXPECT_TRUE(gpu->IsOnDevice());
   };

@@ -13,8 +13,9 @@ namespace testing
 namespace
 {
 
-// Heights of 1500 m have a unit in the last place of 6e-5 m, one or two of which the order of sums costs:
-// 4e-6 rad of the nearest caster, 30 m away, in a few azimuths. 2e-6 is the most seen.
+// Heights of 1500 m have a unit in the last place of 6e-5 m, and another order of the sums changes
+// one or two of them: 4e-6 rad at the nearest caster, 30 m away, in a few azimuths. The greatest
+// difference found is 2e-6.
 constexpr double RoundingTolerance = 1.0e-5;
 
 class Harmonics : public GpuTest
@@ -28,7 +29,7 @@ protected:
     filter->SetNumberOfAzimuths(10);
   }
 
-  /// The greatest difference of GPU and host on a field.
+  /// The greatest difference between the graphics processor and the host on a field.
   template <typename Gpu, typename Host, typename Setting>
   double Parity(const oracle::OracleField& field, const char* name, const Setting& set)
   {

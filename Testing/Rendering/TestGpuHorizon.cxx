@@ -13,14 +13,16 @@ namespace testing
 namespace
 {
 
-// Degrees. Both take the same differences of floats; the host's and the shader's polynomials round apart,
-// 1.4e-7 rad each, and so does the sum of two products where one fuses it.
+// Degrees. Both compute the same differences of floats. The polynomials of the host and of the
+// shader round differently, by 1.4e-7 rad each, and so does the sum of two products if one of them
+// is fused.
 constexpr double RoundingTolerance = 6.0e-5;
 
-// Degrees: heights of 1500 m are summed in another order, 30 m away.
+// Degrees. Heights of 1500 m are summed in another order, at a distance of 30 m.
 constexpr double PyramidTolerance = 1.0e-3;
 
-// Degrees. GpuTest take bands of rows with one spacing, right to 0.05 %; the host takes every row's own.
+// Degrees. The graphics processor uses one spacing per band of rows, with an error of 0.05 %. The
+// host uses the spacing of each row.
 constexpr double BandParity = 0.0144;
 
 class Horizons : public GpuTest
@@ -71,7 +73,7 @@ TEST_F(Horizons, OfThePyramid)
   EXPECT_LT(this->Parity(Hills(131, 97), vtkHeightFieldHorizon::PYRAMID), PyramidTolerance);
 }
 
-// Degrees of longitude on the Earth: rows have spacings of their own, far posts sink.
+// Degrees of longitude on the Earth: rows have different spacings, and distant posts sink.
 TEST_F(Horizons, OnABody)
 {
   const auto image = ImageOf<vtkDoubleArray>(shapes::Fractal(40, 50, 2000.0, 3000.0, 6));

@@ -25,8 +25,8 @@ namespace testing
 namespace
 {
 
-// Sixteen coefficients, each off by 6e-7 at most (TestGpuHarmonics), times those of a light that gives an
-// irradiance of 1. 2e-7 is the most seen.
+// Sixteen coefficients, each with an error of at most 6e-7 (TestGpuHarmonics), times those of a
+// light with an irradiance of 1. The greatest difference found is 2e-7.
 constexpr double RoundingTolerance = 5.0e-6;
 
 class Irradiance : public GpuTest
@@ -118,7 +118,8 @@ TEST_F(Irradiance, TablesAreTheHosts)
   EXPECT_NE(ArrayOf(this->Gpu, "Irradiance"), nullptr);
 }
 
-/// The terrain from above in the light of the GPU or of its host, a pixel a post.
+/// The terrain from above, one pixel per post, in the light of the graphics processor or of the
+/// host.
 class Picture
 {
 public:
@@ -163,7 +164,7 @@ public:
   vtkNew<vtkSkylineSoftShadowPolyDataMapper> Mapper;
 };
 
-// Frame after frame from heights to pixels: no array in between.
+// Several frames from heights to pixels, without arrays in between.
 TEST_F(Irradiance, GoesToTheMapperWithoutReadBack)
 {
   if (!vtkSkylineEGLWindow::IsSupported())
@@ -205,7 +206,7 @@ TEST_F(Irradiance, GoesToTheMapperWithoutReadBack)
       greatest = std::max(greatest, std::abs(seen->GetValue(i) - expected->GetValue(i)));
       lit += seen->GetValue(i) > 20 ? 1 : 0;
     }
-    EXPECT_LE(greatest, 1); // a code may round to its neighbour
+    EXPECT_LE(greatest, 1); // a code can round to its neighbour
     EXPECT_GT(lit, seen->GetNumberOfValues() / 5);
   }
 }

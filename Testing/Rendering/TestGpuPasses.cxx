@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a scene does not need is left out: passes, horizons and pyramids, counted.
+// Counts the passes, horizons and pyramids: the filter must omit those that a scene does not need.
 #include "GpuTesting.h"
 
 #include "vtkOpenGLHeightFieldIrradiance.h"
@@ -31,7 +31,7 @@ protected:
     this->Lamp->SetRadius(50.0);
   }
 
-  /// Azimuths searched, and passes for distant lights, suns and lamps.
+  /// The numbers of searched azimuths and of the passes for distant lights, suns and lamps.
   std::array<int, 4> Counts(vtkHeightFieldIrradiance* filter)
   {
     filter->Update();
@@ -77,7 +77,7 @@ TEST_F(Passes, ASunAloneSweepsItsSwath)
   host->SetMethodToPyramid();
   host->AddLight(sun);
   this->Light->AddLight(sun);
-  this->Light->SetLightMethodToTable(); // a sun is none of harmonics
+  this->Light->SetLightMethodToTable(); // harmonics do not include a sun
   this->Light->SetNumberOfAzimuths(128);
   const Count counts = this->Counts(host);
   EXPECT_EQ(this->Counts(this->Light), counts);
@@ -98,7 +98,7 @@ TEST_F(Passes, ChangedLightsTakeNoHorizonsAndNoPyramid)
   EXPECT_EQ(this->Light->GetPyramidBuilds(), 0) << "the heights are the same";
 }
 
-// Whole, and tile by tile.
+// In one tile, and in several.
 TEST_F(Passes, UnchangedHeightsKeepTheirPyramid)
 {
   for (const int limit : { 0, 32 })

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shadow heights and line sweeps on the graphics processor against the host.
+// Shadow heights and line sweeps on the graphics processor, compared with the host.
 #include "GpuTesting.h"
 
 #include "vtkOpenGLHeightFieldHorizon.h"
@@ -15,14 +15,16 @@ namespace testing
 namespace
 {
 
-// Metres. Heights of 1500 m and the fall of the light round apart: four times a float's spacing there.
+// Metres. Heights of 1500 m and the fall of the light round differently: four times the distance of
+// floats there.
 constexpr double RoundingTolerance = 5.0e-4;
 
-// Metres: the recurrence hands the rounding on, from line to line, to kilometres below the ground.
+// Metres. The recurrence passes the rounding from line to line, down to kilometres below the
+// ground.
 constexpr double SweepTolerance = 1.0e-2;
 
-// Degrees. The host keeps hulls in double precision; and where two edges give the same horizon but for
-// rounding, the other one may be taken.
+// Degrees. The host stores hulls in double precision. If two edges have the same horizon up to
+// rounding, either can be chosen.
 constexpr double HullTolerance = 2.0e-3;
 
 class ShadowGpu : public GpuTest
@@ -64,7 +66,7 @@ protected:
 
   void TearDown() override { RecordProperty("Most", std::to_string(this->Most)); }
 
-  double Most = 0.0; // of all differences: in the XML report
+  double Most = 0.0; // of all differences, for the XML report
 
   static std::vector<Light> AllAround()
   {
@@ -106,7 +108,7 @@ TEST_F(ShadowGpu, ExactOnABody)
     place.RowSpacingY.push_back(2000.0);
   }
   StoreGeoreference(place, image);
-  constexpr double far = 3.0e-3; // shadows fall by kilometres here
+  constexpr double far = 3.0e-3; // here shadows fall by kilometres
   this->Compare(image, vtkHeightFieldShadowHeight::EXACT, far, { { 200.0, 2.0 }, { 77.0, 4.0 } });
 }
 
@@ -135,7 +137,7 @@ protected:
   }
 };
 
-// More lanes than a work group, more lines than a run.
+// More lanes than a work group and more lines than a run.
 TEST_F(SweepGpu, AsPublishedInAllOctants)
 {
   this->Compare(ImageOf<vtkDoubleArray>(Hills(531, 197)), vtkHeightFieldShadowHeight::SWEEP,
@@ -214,7 +216,7 @@ TEST_F(ShadowGpu, AFieldBeyondTheLargestTextureIsTheHosts)
   EXPECT_FALSE(gpu->IsOnDevice());
   EXPECT_EQ(errors->Count, 1);
   EXPECT_NE(
-    errors->Text.find("50 x 30 posts are beyond the largest texture, 40 a side"), std::string::npos)
+    errors->Text.find("50 x 30 posts exceed the largest texture, 40 a side"), std::string::npos)
     << errors->Text;
   vtkNew<vtkHeightFieldShadowHeight> host;
   host->SetInputData(image);
@@ -236,7 +238,7 @@ TEST_F(ShadowGpu, BadSettingsAreErrorsAsOnTheHost)
     << errors->Text;
 }
 
-// Needs no context: on every machine there is no device 12345.
+// Runs without a context too: no machine has a device 12345.
 TEST(ShadowGpuFailures, WithoutAContextTheHostComputesAndSaysSoOnce)
 {
   const auto image = ImageOf<vtkDoubleArray>(Hills(30, 20));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mode RECEIVER of the mapper: anything above the terrain, drawn in its shadow, by pixels.
+// The mode RECEIVER of the mapper: objects above the terrain, drawn in its shadow and compared
+// pixel by pixel.
 #include "MapperTesting.h"
 
 #include "vtkHeightFieldShadowHeight.h"
@@ -22,12 +23,12 @@ namespace
 constexpr int Columns = 90, Rows = 60;
 constexpr double Azimuth = 90.0, Elevation = 20.0, Radius = 2.0;
 constexpr double West = 5.0e5, South = 4.0e6;
-constexpr double Sun = 2.0, Sky = 0.1; // irradiance that faces the sun, radiance
+constexpr double Sun = 2.0, Sky = 0.1; // irradiance of a plane facing the sun, radiance
 
-/// The arc cosine of Mesa's shaders is good to 2e-4 of the light: one code more.
+/// The arc cosine of Mesa's shaders has an error of 2e-4 of the light: one more code.
 constexpr int PenumbraTolerance = CodeTolerance + 1;
 
-/// A sphere of 180 faces around: normals of its faces are off by a degree.
+/// A sphere of 180 faces around: the normals of its faces differ by a degree.
 constexpr int FacetTolerance = 5;
 
 const Rgb White{ { 1.0f, 1.0f, 1.0f } };
@@ -37,14 +38,14 @@ double Sine()
   return std::sin(Elevation * Pi / 180.0);
 }
 
-/// What a white plane shows under a part of the sun, turned to it by the cosine.
+/// The codes of a white plane that a part of the sun lights at the given cosine.
 Byte3 Shown(double lit, double cosine)
 {
   const auto e = static_cast<float>(Sun * lit * cosine + Pi * Sky);
   return Seen(White, Rgb{ { e, e, e } });
 }
 
-/// Hills, and a ridge in the east, far from the origin of the frame.
+/// Hills, and a ridge in the east, far from the origin of the coordinates.
 double HeightAt(int column, int row)
 {
   const double hill = 3.0 * std::sin(0.31 * column + 0.17 * row) * std::cos(0.23 * row);
@@ -79,7 +80,7 @@ protected:
     shader->SetUniformLight(Sky, Sky, Sky);
   }
 
-  /// A level roof over the whole scene, a pixel wider on each side.
+  /// A level roof over the whole scene, one pixel wider on each side.
   vtkSmartPointer<vtkPolyData> Roof(double z)
   {
     vtkNew<vtkPoints> points;
@@ -97,7 +98,8 @@ protected:
     return roof;
   }
 
-  /// What the filter finds for a point over every post; heights: of the points.
+  /// The visible part of the sun that the filter finds for a point over each post. heights: those
+  /// of the points.
   std::vector<double> LitByFilter(
     const std::function<double(int, int)>& heights, double depth = 0.0)
   {
@@ -127,7 +129,7 @@ protected:
     return values;
   }
 
-  /// All pixels within the rim against the lit parts.
+  /// Compares all pixels inside the rim with the visible parts of the sun.
   void ExpectPicture(const std::vector<double>& lit, double cosine)
   {
     this->Scene->Render();
@@ -165,7 +167,8 @@ TEST_F(ReceiverMode, ARoofInTheShadowOfARidge)
   this->Mapper->SetInputData(this->Roof(8.0));
   this->ExpectPicture(this->LitByFilter([](int, int) { return 8.0; }), Sine());
   EXPECT_GT(this->Partly, 500);
-  // Edges are drawn through a geometry shader; they lie outside, and a few pixels of the diagonal show.
+  // Edges are drawn with a geometry shader. They lie outside; a few pixels of the diagonal are
+  // visible.
   const Byte3 lit = this->Scene->Pixel(80, 10), dark = this->Scene->Pixel(30, 50);
   EXPECT_NE(lit, dark);
   this->Actor->GetProperty()->EdgeVisibilityOn();
@@ -186,7 +189,7 @@ TEST_F(ReceiverMode, APointSunAndAPublishedPenumbra)
   EXPECT_GT(this->Partly, 500);
 }
 
-// The ground as a receiver: points have no side, so every post shows its lit part.
+// The ground as a receiver: points have no normals, so each post shows its visible part of the sun.
 TEST_F(ReceiverMode, TheGroundIsLitAsTheSunVisibilityHasIt)
 {
   vtkNew<vtkHeightFieldSurface> surface;
@@ -247,7 +250,7 @@ TEST_F(ReceiverMode, NormalsOfPointsOrOfFaces)
 TEST_F(ReceiverMode, TheSkyIsTheLightsHarmonics)
 {
   this->Mapper->SetInputData(this->Roof(200.0));
-  constexpr double zenith = 0.3; // of the harmonic of l = 1, m = 0
+  constexpr double zenith = 0.3; // coefficient of the harmonic l = 1, m = 0
   this->Mapper->GetShader()->SetLightCoefficient(2, zenith, zenith, zenith);
   this->Mapper->GetShader()->SetSunIrradiance(0.0, 0.0, 0.0);
   this->Scene->Render();

@@ -13,7 +13,7 @@ namespace
 class EGLWindow : public Drawing
 {
 protected:
-  // Paints all of a window, without a mapper.
+  // Fills a window with a colour, without a mapper.
   static Byte3 Paint(vtkSkylineEGLWindow* window, double red)
   {
     vtkRenderer* renderer = window->GetRenderers()->GetFirstRenderer();
@@ -87,7 +87,7 @@ TEST_F(EGLWindow, GivesTheContextBack)
   EXPECT_EQ(Paint(window, 0.0)[0], 0);
 }
 
-// Needs no context: whoever has none gets the same words.
+// Runs without a context too: the message is the same.
 TEST(EGLWindowFailures, AreReportedOnceInOneLine)
 {
   vtkNew<vtkSkylineEGLWindow> window;

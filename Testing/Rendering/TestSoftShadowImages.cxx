@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole scenes against stored pictures; the numbers behind them are tested in TestSoftShadowLight.
+// Compares whole scenes with stored pictures. TestSoftShadowLight tests the numbers.
 #include "BaselineTesting.h"
 #include "MapperTesting.h"
 
@@ -19,7 +19,7 @@ namespace testing
 namespace
 {
 
-// A volcano with a crater on a rough plain: slopes to all sides, shadows inside.
+// A volcano with a crater on a rough plain: slopes in all directions, and shadows in the crater.
 vtkSmartPointer<vtkImageData> Volcano()
 {
   return Terrain(
@@ -38,7 +38,7 @@ vtkSmartPointer<vtkImageData> Volcano()
 class SoftShadowImages : public Drawing
 {
 protected:
-  // The volcano with what every post sees.
+  // The volcano with the array of the filter.
   template <typename Filter>
   static vtkSmartPointer<vtkImageData> See()
   {
@@ -49,7 +49,7 @@ protected:
     return vtkImageData::SafeDownCast(filter->GetOutputDataObject(0));
   }
 
-  // From the south, all of it in sight.
+  // From the south, with the whole terrain in the picture.
   static void Look(MapScene& scene, vtkSkylineSoftShadowPolyDataMapper* mapper)
   {
     scene.Window->SetSize(240, 150);
@@ -61,7 +61,7 @@ protected:
     scene.Render();
   }
 
-  // A warm light from the west, a blue one from all the sky.
+  // A warm light from the west and a blue light from the whole sky.
   static void Shine(vtkSkylineSoftShadowShader* shader)
   {
     std::array<double, 16> key{};

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A scene scripted in Python, against a stored picture.
+"""A scene scripted in Python, compared with a stored picture.
 
-Run as `python3 TestSoftShadowImages.py DATA OUTPUT`: Testing/Data, and a folder to write in.
+Run as `python3 TestSoftShadowImages.py DATA OUTPUT`: Testing/Data, and a folder for output.
 """
 
 import os
@@ -17,13 +17,13 @@ from vtkmodules.vtkImagingCore import vtkImageDifference
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
-SKIPPED = 77  # what ctest counts as skipped
+SKIPPED = 77  # the exit code that ctest counts as skipped
 CODE_THRESHOLD = 2  # as in BaselineTesting.h
 RIM_PIXELS = 4.0
 
 
 def ridges():
-    """Rolling ridges with the irradiance of a sun and a sky, computed by the filters."""
+    """Ridges with the irradiance of a sun and a sky, computed by the filters."""
     image = vtkImageData()
     image.SetDimensions(90, 70, 1)
     image.SetSpacing(30.0, 30.0, 1.0)
@@ -36,7 +36,7 @@ def ridges():
 
 
 def lit(image):
-    """The image with Irradiance: a low sun, hidden by the ridges, and an even sky."""
+    """The image with Irradiance: a low sun, partly hidden by the ridges, and a uniform sky."""
     sun = skyline.vtkHeightFieldSunShadow()
     sun.SetInputData(image)
     sun.SetSunAzimuth(250.0)

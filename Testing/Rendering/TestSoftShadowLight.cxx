@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers read from pixels: what the three modes show against closed forms and the kernels.
+// Numbers read from pixels: compares the three modes with closed forms and with the kernels.
 #include "MapperTesting.h"
 
 #include "Harmonics/HarmonicProduct.h"
@@ -20,7 +20,7 @@ constexpr int Count = 16;
 
 using Coefficients = std::vector<double>;
 
-// Max(0, n.d) around a unit normal.
+// Max(0, n.d) around the unit normal n.
 Coefficients CosineAround(double x, double y, double z)
 {
   Coefficients zonal;
@@ -33,7 +33,7 @@ Coefficients CosineAround(double x, double y, double z)
   return cosine;
 }
 
-// The upper hemisphere, all visible.
+// The visible upper hemisphere.
 Coefficients OpenSky()
 {
   Coefficients sky(Count, 0.0);
@@ -57,7 +57,7 @@ class SoftShadowLight : public Drawing
 {
 };
 
-// Albedo * E / pi through the tone curve, for the whole range of albedos and light.
+// Albedo * E / pi after the tone curve, for the whole range of albedo and light.
 TEST_F(SoftShadowLight, FlatGroundShowsAlbedoTimesIrradianceOverPi)
 {
   const auto flat = Terrain(8, 6, [](int, int) { return 3.0; });
@@ -82,7 +82,7 @@ TEST_F(SoftShadowLight, FlatGroundShowsAlbedoTimesIrradianceOverPi)
   }
 }
 
-// The white furnace: under uniform radiance 1 open level ground gets pi, in each mode.
+// White furnace test: with a uniform radiance of 1, open level ground gets pi in each mode.
 TEST_F(SoftShadowLight, UniformLightGivesPiInEveryMode)
 {
   const auto flat = Terrain(5, 5, [](int, int) { return 0.0; });
@@ -90,7 +90,7 @@ TEST_F(SoftShadowLight, UniformLightGivesPiInEveryMode)
   AddArray(flat, "Irradiance", 3, [](int, int) { return std::vector<double>{ Pi, Pi, Pi }; });
   AddArray(flat, "TransferSH", Count, [&](int, int) { return cosine; });
   AddArray(flat, "VisibilitySH", Count, [](int, int) { return OpenSky(); });
-  // The cut of both series takes nothing here: the half sky has no band 2, the cosine no band 3.
+  // Truncation has no effect here: the half sky has no band 2, and the cosine has no band 3.
   double held = 0.0;
   const Coefficients sky = OpenSky();
   for (std::size_t i = 0; i < Count; ++i)
@@ -111,7 +111,7 @@ TEST_F(SoftShadowLight, UniformLightGivesPiInEveryMode)
   }
 }
 
-// Arbitrary light, visibility and normals: the shader's product is the kernel's.
+// For any light, visibility and normals, the product in the shader is that of the kernel.
 TEST_F(SoftShadowLight, VisibilityTimesCosineTimesLightIsTheTripleIntegral)
 {
   std::mt19937 random(5);
@@ -146,7 +146,7 @@ TEST_F(SoftShadowLight, VisibilityTimesCosineTimesLightIsTheTripleIntegral)
     Byte3 expected;
     for (std::size_t c = 0; c < 3; ++c)
     {
-      // A strength that leaves the codes in their middle.
+      // A strength with which the codes lie in the middle of their range.
       const double raw =
         product.TripleIntegral(visible.data(), cosine.data(), light[c].data()) / Pi;
       for (double& value : light[c])
@@ -190,7 +190,7 @@ TEST_F(SoftShadowLight, TransferTimesLightIsTheirDotProduct)
       { { static_cast<float>(e[0]), static_cast<float>(e[1]), static_cast<float>(e[2]) } }));
 }
 
-// The picture of the processor, post by post: the same light, colours and tone curve.
+// The picture of the CPU filter, post by post: the same light, colours and tone curve.
 TEST_F(SoftShadowLight, MapViewEqualsTheShadingFilter)
 {
   const auto hills = Terrain(
@@ -209,7 +209,7 @@ TEST_F(SoftShadowLight, MapViewEqualsTheShadingFilter)
       radiance->GetTuple(row * 60 + column, rgb.data());
       for (double& c : rgb)
       {
-        c *= Pi; // the colours are in it: the ground is white
+        c *= Pi; // the radiance contains the colours, so the ground is white
       }
       return rgb;
     });
@@ -233,7 +233,7 @@ TEST_F(SoftShadowLight, MapViewEqualsTheShadingFilter)
   }
 }
 
-// Two triangles carry the light of all posts.
+// Two triangles show the light of all posts.
 TEST_F(SoftShadowLight, ADecimatedMeshKeepsTheResolutionOfTheLight)
 {
   const auto flat = Terrain(33, 33, [](int, int) { return 0.0; });
@@ -253,7 +253,8 @@ TEST_F(SoftShadowLight, ADecimatedMeshKeepsTheResolutionOfTheLight)
   }
 }
 
-// A float cannot hold a northing of 5100000 m to the centimetre: the light must not swim.
+// A float cannot represent a northing of 5100000 m to the centimetre. The light must stay in place
+// nevertheless.
 TEST_F(SoftShadowLight, FarFromTheOriginEveryPostKeepsItsLight)
 {
   const auto flat = Terrain(
@@ -303,7 +304,7 @@ TEST_F(SoftShadowLight, MissingPostsTakeNothingFromTheirNeighbours)
     }
   }
   EXPECT_EQ(scene.Pixel(4, 5), (Byte3{ { 255, 0, 0 } })) << "no cell over a missing post";
-  // A mesh that spans the hole finds light everywhere.
+  // A mesh that covers the hole gets light everywhere.
   vtkNew<vtkHeightFieldSurface> closed;
   closed->SetInputData(Terrain(12, 12, [](int, int) { return 1.0; }));
   closed->Update();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The mapper as a mapper: what it shares with all of VTK's, what it uploads, what it refuses.
+// The mapper as a VTK mapper: behaviour that all mappers share, uploads, and errors.
 #include "MapperTesting.h"
 
 #include "vtkHeightFieldVisibility.h"
@@ -40,7 +40,7 @@ Rgb Decode(double red, double green, double blue)
     DecodeSrgb(static_cast<float>(blue)) } };
 }
 
-// A picture of one colour, to drape.
+// A picture of one colour, used as a draped texture.
 vtkSmartPointer<vtkImageData> Cloth(int red, int green, int blue)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -62,7 +62,7 @@ public:
   int Count = 0;
 };
 
-// Level ground at a height under an even light, and its mapper.
+// Level ground at a given height in uniform light, and its mapper.
 class SoftShadowMapper : public Drawing
 {
 protected:
@@ -92,7 +92,7 @@ protected:
         return std::vector<double>{ 0.5 * Pi, 0.5 * Pi, 0.5 * Pi };
       });
     std::vector<double> harmonics(16, 0.0);
-    harmonics[0] = 0.5 * std::sqrt(Pi / 4.0); // under the uniform light of 1: 0.5 pi
+    harmonics[0] = 0.5 * std::sqrt(Pi / 4.0); // with a uniform radiance of 1: 0.5 pi
     AddArray(image, "TransferSH", 16, [&](int, int) { return harmonics; });
     AddArray(image, "VisibilitySH", 16, [&](int, int) { return harmonics; });
     return image;
@@ -118,13 +118,13 @@ protected:
   vtkSmartPointer<vtkActor> Actor;
 };
 
-// The largest texture is a limit of the context, and a level strip of posts may pass it.
+// The largest texture is a limit of the context, which a strip of level ground can exceed.
 class SoftShadowErrors : public SoftShadowMapper
 {
 protected:
   void TearDown() override {}
 
-  // Renders twice; the reason must be reported once, in one line, and nothing drawn.
+  // Renders twice. The reason must be reported once, in one line, and nothing must be drawn.
   void ExpectRefused(const std::string& reason)
   {
     this->Errors->Text.clear();
@@ -231,7 +231,7 @@ TEST_F(SoftShadowMapper, AMovedCameraCostsNothing)
   EXPECT_EQ(this->Mapper->GetMTime(), text);
 }
 
-// Every lamp's text comes and goes with its light, whatever the mode.
+// In each mode, the shader contains code for lamps only while a lamp has light.
 TEST_F(SoftShadowMapper, NoLampNoTextureAndNoText)
 {
   AddArray(this->Ground, "LampIrradiance", 2,
@@ -281,13 +281,13 @@ TEST_F(SoftShadowMapper, DrapedTexturesAreTheAlbedo)
   this->Actor->SetTexture(texture);
   const Rgb albedo = Decode(200.0 / 255.0, 100.0 / 255.0, 40.0 / 255.0);
   ExpectNear(this->Middle(), Seen(albedo, Light(0.5 * Pi)), "codes");
-  // The same cloth, read as linear light.
+  // The same texture, as linear light.
   vtkNew<vtkTexture> linear;
   linear->SetInputData(Cloth(200, 100, 40));
   linear->UseSRGBColorSpaceOn();
   this->Actor->SetTexture(linear);
   ExpectNear(this->Middle(), Seen(albedo, Light(0.5 * Pi)), "light");
-  // And back.
+  // Without the texture again.
   this->Actor->SetTexture(nullptr);
   ExpectNear(this->Middle(), Seen(White, Light(0.5 * Pi)), "none");
 }
@@ -333,7 +333,7 @@ TEST_F(SoftShadowMapper, EdgesAreDrawnByAGeometryShader)
 
 TEST_F(SoftShadowMapper, ActorsShareTheLightAndLeaveOthersAlone)
 {
-  // A second mesh over the same height field, higher up on the left half.
+  // A second mesh over the same height field, higher, on the left half.
   vtkNew<vtkPlaneSource> left;
   left->SetOrigin(-1.0, -1.0, 5.0);
   left->SetPoint1(3.0, -1.0, 5.0);
@@ -342,7 +342,7 @@ TEST_F(SoftShadowMapper, ActorsShareTheLightAndLeaveOthersAlone)
   second->SetInputConnection(left->GetOutputPort());
   second->SetShader(this->Shader());
   this->Scene->Add(second)->GetProperty()->SetColor(0.5, 0.5, 0.5);
-  // And an ordinary one on the right.
+  // A mesh with an ordinary mapper on the right.
   vtkNew<vtkPlaneSource> right;
   right->SetOrigin(6.0, -1.0, 5.0);
   right->SetPoint1(Size, -1.0, 5.0);
@@ -359,7 +359,7 @@ TEST_F(SoftShadowMapper, ActorsShareTheLightAndLeaveOthersAlone)
   EXPECT_EQ(this->Uploads(), 1) << "one texture for both";
 }
 
-// Two veils of half opacity: what lies above counts half, of the codes as everywhere in VTK.
+// Two layers of half opacity: the upper one counts half, in sRGB codes as everywhere in VTK.
 TEST_F(SoftShadowMapper, DepthPeelingBlendsLitVeils)
 {
   const auto higher = this->Level(3.0);
@@ -376,7 +376,7 @@ TEST_F(SoftShadowMapper, DepthPeelingBlendsLitVeils)
   const int red = Seen({ { 1.0f, 0.0f, 0.0f } }, Light(0.5 * Pi))[0];
   const int green = Seen({ { 0.0f, 1.0f, 0.0f } }, Light(0.5 * Pi))[1];
   ExpectNear(seen, { { red / 2, green / 4, 0 } });
-  // The other order of actors, the same picture.
+  // The actors in the other order give the same picture.
   this->Scene->Renderer->RemoveActor(this->Actor);
   this->Scene->Renderer->AddActor(this->Actor);
   EXPECT_EQ(this->Middle(), seen);
@@ -394,7 +394,7 @@ TEST_F(SoftShadowMapper, PickingFindsTheActor)
   EXPECT_EQ(picked->GetNumberOfNodes(), 1u);
 }
 
-// A window that goes away takes its textures along.
+// A window that is released also releases its textures.
 TEST_F(SoftShadowMapper, AnotherWindowGetsItsOwnTextures)
 {
   const Byte3 lit = this->Middle();
@@ -432,7 +432,7 @@ TEST_F(SoftShadowMapper, ATextureOfTheWindowIsTakenAsItIs)
   this->Shader()->SetIrradianceArrayName("None");
   ExpectNear(this->Middle(), Seen(White, Light(0.25 * Pi)));
   EXPECT_EQ(this->Uploads(), 1) << "that of the first picture";
-  // Whoever made it still has it after the mapper has let go.
+  // The owner of the texture still has it after the mapper no longer uses it.
   this->Shader()->SetIrradianceTexture(nullptr);
   this->Shader()->SetIrradianceArrayName("Irradiance");
   ExpectNear(this->Middle(), Seen(White, Light(0.5 * Pi)));
@@ -466,7 +466,7 @@ TEST_F(SoftShadowErrors, MissingArraysAreNamed)
   this->Shader()->SetIrradianceArrayName("Irradiance");
   this->Shader()->SetLampRadiance(2, 1.0, 1.0, 1.0);
   this->ExpectRefused("no point array LampIrradiance of 1 to 4 components");
-  // What is put right is drawn.
+  // After the correction the mapper draws.
   this->Shader()->SetLampRadiance(2, 0.0, 0.0, 0.0);
   ExpectNear(this->Middle(), Seen(White, Light(0.5 * Pi)));
 }
@@ -491,7 +491,7 @@ TEST_F(SoftShadowErrors, BeyondTheLargestTexture)
   const auto strip = Terrain(limit + 1, 2, [](int, int) { return 0.0; });
   AddArray(strip, "Irradiance", 3, [](int, int) { return std::vector<double>(3, 1.0); });
   this->Shader()->SetHeightField(strip);
-  this->ExpectRefused("beyond this OpenGL's largest texture");
+  this->ExpectRefused("exceed the largest texture of this OpenGL");
 }
 
 TEST_F(SoftShadowErrors, NoContext)

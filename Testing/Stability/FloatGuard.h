@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Notices invalid operations, overflows and divisions by zero of the kernels it surrounds.
+// Detects invalid operations, overflows and divisions by zero in the kernels that run during its
+// lifetime.
 #ifndef skyline_FloatGuard_h
 #define skyline_FloatGuard_h
 
@@ -11,9 +12,9 @@ namespace skyline
 namespace testing
 {
 
-/// Of this thread, from its making on. With SKYLINE_TRAP_FLOATS (preset float-traps) the program stops
-/// at the very operation, for a debugger; else Raised() tells afterwards. Only around kernels: a test
-/// that compares with NaN raises what it does not mean.
+/// Watches the current thread. With SKYLINE_TRAP_FLOATS (the preset float-traps) the program stops
+/// at the operation itself, for a debugger; otherwise Raised() reports it afterwards. To be used
+/// around kernels only, because tests that compare with NaN raise exceptions intentionally.
 class FloatGuard
 {
 public:
@@ -36,7 +37,7 @@ public:
   FloatGuard(const FloatGuard&) = delete;
   FloatGuard& operator=(const FloatGuard&) = delete;
 
-  /// The names of what was raised so far, empty if nothing.
+  /// The names of the exceptions raised so far; empty if there are none.
   std::string Raised() const
   {
     const int raised = std::fetestexcept(Watched);

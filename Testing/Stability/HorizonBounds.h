@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far the horizons of a method may lie from the oracle's, post by post.
+// The allowed difference between the horizons of a method and those of the oracle, for each post.
 #ifndef skyline_HorizonBounds_h
 #define skyline_HorizonBounds_h
 
@@ -16,15 +16,15 @@ namespace skyline
 namespace testing
 {
 
-/// A method with the settings that it is tested with.
+/// A method and the settings with which it is tested.
 struct TestedMethod
 {
   const char* Name;
   HorizonMethodKind Kind;
-  double Tolerance; ///< radians that it may fall short by, beside rounding; below 0: no statement
+  double Tolerance; ///< radians below the true horizon, besides rounding; negative: no bound
 };
 
-/// A degree: with it the bounds of segments are passed over far more often than without.
+/// One degree: with it, segments are skipped by their bounds far more often.
 constexpr double ExactTolerance = 1.0 * RadiansPerDegree;
 
 inline const std::vector<TestedMethod>& TestedMethods()
@@ -36,7 +36,7 @@ inline const std::vector<TestedMethod>& TestedMethods()
   return methods;
 }
 
-/// The spread of heights, metres.
+/// The difference between the greatest and the least height, metres.
 inline double ReliefOf(const oracle::OracleField& field)
 {
   double low = std::numeric_limits<double>::infinity();
@@ -49,10 +49,11 @@ inline double ReliefOf(const oracle::OracleField& field)
   return high - low;
 }
 
-/// Slope by which float heights move a horizon: heights of receiver and edge are rounded to 2^-24 of
-/// half the relief, their difference and its weights once more each, over the shorter step at least,
-/// and the slope itself is a float. The weights' own rounding is that of the place: 2^-24 of a step at
-/// the steepest edge, which is the relief again.
+/// The change of a horizon's slope by the rounding of heights to floats. The heights of receiver
+/// and edge are rounded to 2^-24 of half the relief, their difference and its weights are each
+/// rounded once more, over at least the shorter step, and the slope itself is a float. The rounding
+/// of the weights is that of the position: 2^-24 of a step at the steepest edge, which again is the
+/// relief.
 inline double SlopeRounding(const oracle::OracleField& field, double slope)
 {
   constexpr double unit = 5.96e-8; // 2^-24
@@ -60,22 +61,24 @@ inline double SlopeRounding(const oracle::OracleField& field, double slope)
   return unit * (8.0 * ReliefOf(field) / step + 4.0 * std::abs(slope));
 }
 
-/// What a horizon of the slope may be off by, degrees: the angle that the rounding of slopes spans
-/// there, which is little where the horizon is steep; and the arc's own float.
+/// The allowed error of a horizon in degrees: the angle that corresponds to the rounding of the
+/// slope, which is small for steep horizons, plus the rounding of the arc.
 inline double ElevationRounding(const oracle::OracleField& field, double slope)
 {
   const double rounding = SlopeRounding(field, slope);
   return (std::atan(slope + rounding) - std::atan(slope - rounding)) * DegreesPerRadian + 2.0e-5;
 }
 
-/// No horizon of any method lies above that of the whole relief one step away, nor that much below.
+/// For all methods the elevation of the horizon is, in absolute value, at most that of the whole
+/// relief at a distance of one step.
 inline double ElevationLimit(const oracle::OracleField& field)
 {
   const double step = std::min(field.SpacingX, field.SpacingY);
   return std::atan(ReliefOf(field) / step * (1.0 + 1.0e-5)) * DegreesPerRadian + 2.0e-5;
 }
 
-/// Whether an elevation (degrees) is what the method promises where the oracle finds `slope`.
+/// Whether an elevation (degrees) is within the bounds of the method where the oracle finds
+/// `slope`.
 inline bool Keeps(
   const oracle::OracleField& field, const TestedMethod& method, double found, double slope)
 {
@@ -93,8 +96,8 @@ inline bool Keeps(
     found >= right - method.Tolerance * DegreesPerRadian - rounding;
 }
 
-/// The first post whose slope is not what the method promises; empty if there is none. Posts without a
-/// truth are missing.
+/// Describes the first post whose slope is outside the bounds of the method; empty if there is
+/// none. Posts without a reference value are missing and are skipped.
 inline std::string FirstComplaint(const oracle::OracleField& field, const TestedMethod& method,
   const std::vector<float>& found, const std::vector<double>& truth)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The fields that must hold: one for every extreme of shape, height, spacing, size and missing posts.
+// Fields for which all filters must work: extremes of shape, height, spacing, size and missing
+// posts.
 #ifndef skyline_StabilityScenes_h
 #define skyline_StabilityScenes_h
 
@@ -23,7 +24,7 @@ struct StabilityScene
   std::function<oracle::OracleField()> Make;
 };
 
-// What ctest shows of a scene.
+// How ctest prints a scene.
 inline void PrintTo(const StabilityScene& scene, std::ostream* out)
 {
   *out << scene.Name;
@@ -45,7 +46,7 @@ inline oracle::OracleField Raised(oracle::OracleField field, double metres)
   return field;
 }
 
-/// Hills with these values, in turn, in place of every seventh post.
+/// Hills in which each seventh post has one of these values, in turn.
 inline oracle::OracleField Peppered(const std::vector<double>& values)
 {
   oracle::OracleField field = shapes::Fractal(29, 23, 30.0, 600.0, 7);
@@ -56,7 +57,7 @@ inline oracle::OracleField Peppered(const std::vector<double>& values)
   return field;
 }
 
-/// Nothing but missing posts, and `size` x `size` posts of hills in the middle.
+/// A field of missing posts, with `size` x `size` posts of hills in the middle.
 inline oracle::OracleField Island(std::ptrdiff_t size)
 {
   oracle::OracleField field = shapes::Fractal(21, 19, 30.0, 600.0, 3);
@@ -73,7 +74,7 @@ inline oracle::OracleField Island(std::ptrdiff_t size)
   return field;
 }
 
-/// Every other post missing: each that is left stands alone, without any surface.
+/// Every other post is missing, so that all others have no surface.
 inline oracle::OracleField Chessboard()
 {
   oracle::OracleField field = shapes::Fractal(18, 17, 30.0, 600.0, 5);
@@ -127,14 +128,14 @@ inline const std::vector<StabilityScene>& StabilityScenes()
     { "OneCellLeft", [] { return Island(2); } },
     { "OnePostLeft", [] { return Island(1); } },
     { "NoCellLeft", Chessboard },
-    // Elevations so close to +90 and -90 degrees that a float cannot tell.
+    // Elevations so close to +90 and -90 degrees that a float cannot represent the difference.
     { "HorizonsOfNinetyDegrees", [] { return Trench(25, 21, 1.0e-6, 1.0e6, 1); } },
     { "HorizonsOfMinusNinetyDegrees", [] { return Spike(25, 23, 1.0e-6, 1.0e6, 12, 11); } },
     { "RoundBody",
       []
       {
         oracle::OracleField field = Fractal(24, 22, 2000.0, 900.0, 4);
-        field.Sink = 1.0e-6; // a body of 500 km
+        field.Sink = 1.0e-6; // a body with a radius of 500 km
         return field;
       } },
     { "HousesAndHoles",
@@ -160,7 +161,7 @@ inline bool AnyMissing(const oracle::OracleField& field)
   return false;
 }
 
-/// Heights as an array of floats has them.
+/// Rounds the heights to floats, as in an array of floats.
 inline oracle::OracleField AsFloats(oracle::OracleField field)
 {
   for (double& height : field.Heights)

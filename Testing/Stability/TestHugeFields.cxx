@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where numbers of posts pass 2^31: the search over 46400 x 46400 posts, in 10 GB; over the columns of
-// 40000 x 40000, in 14 GB; consumers over memory
-// that is reserved but touched only where a post is written; and a whole filter over 40000 x 40000 posts,
-// in 16 GB. Closed forms: level ground inside straight crests.
+// Fields with more than 2^31 posts: the search over rows with 46400 x 46400 posts, in 10 GB; over
+// columns with 40000 x 40000 posts, in 14 GB; consumers with reserved memory that is only used
+// where a post is written; and a whole filter with 40000 x 40000 posts, in 16 GB. The closed forms
+// are those of level ground inside straight crests.
 #include "Data/MemoryDemand.h"
 #include "Horizon/StoreAccumulator.h"
 #include "Reference/OracleTerrain.h"
@@ -32,15 +32,15 @@ namespace
 {
 
 constexpr std::ptrdiff_t Side = 46400;
-static_assert(Side * Side > (std::int64_t{ 1 } << 31), "posts that 32 bits do not count");
+static_assert(Side * Side > (std::int64_t{ 1 } << 31), "the posts must exceed 32 bits");
 
-// A slope is a quotient of two floats without error: a few of its units in the last place.
+// A slope is the quotient of two exact floats: an error of a few units in the last place.
 constexpr double SlopeRounding = 4.0e-7;
 
-// Degrees: what StoreAccumulator promises, and SlopeRounding as an angle.
+// Degrees: the accuracy of StoreAccumulator, plus SlopeRounding as an angle.
 constexpr double ElevationBound = 3.0e-5;
 
-/// Address space without memory behind it; pages come as they are written.
+/// Reserved address space without memory. Pages are allocated when they are written.
 class Reserved
 {
 public:
@@ -68,7 +68,7 @@ private:
   void* Start;
 };
 
-// Gigabytes; says why a test cannot run, nothing if it can.
+// Returns why there is not enough memory (needed: gigabytes), or an empty string if there is.
 std::string Lacking(double needed)
 {
   const double free = 1.0e-9 * FreeMemory();
@@ -77,8 +77,8 @@ std::string Lacking(double needed)
     : std::to_string(free) + " GB of memory are free, it takes " + std::to_string(needed);
 }
 
-// The last posts of a field of that size, azimuth by azimuth, in consumers that keep nothing a post but
-// their results: the value lies where 64-bit arithmetic puts it.
+// The last posts of a field of this size, for each azimuth, in consumers that store only their
+// results: the value must be where 64-bit arithmetic puts it.
 TEST(HugeFields, ConsumersReachTheLastPost)
 {
   constexpr std::ptrdiff_t posts = Side * Side;
@@ -116,7 +116,7 @@ TEST(HugeFields, ConsumersReachTheLastPost)
   EXPECT_NEAR(sky.Values()[3 * (posts - 1) + 2], 1.0 - std::sqrt(0.5), 1e-5);
 }
 
-// Level ground whose first and last rows and columns are crests of different heights.
+// Level ground whose first and last rows and columns are crests with different heights.
 constexpr double South = 500.0, North = 1000.0, West = 700.0, East = 300.0;
 
 class HugeHorizons : public ::testing::Test
@@ -139,7 +139,7 @@ protected:
         method->Find(begin, begin + lines, lane, lane + block, slopes.data(), block);
         for (std::ptrdiff_t i = 0; i < lines * block; ++i)
         {
-          // The crest ahead is a straight edge across all lanes.
+          // The crest in front is a straight edge across all lanes.
           const std::ptrdiff_t line = frame.ImageLine(begin + i / block);
           const bool onwards = azimuth < 135.0;
           const double crest = frame.Columns ? onwards ? East : West : onwards ? North : South;
@@ -180,13 +180,13 @@ TEST_F(HugeHorizons, OverRows)
   HeightField posts = Field(Side);
   this->Search(posts, 0.0, { 32, Side / 2, Side - 64 });
   this->Search(posts, 180.0, { 32, Side / 2, Side - 64 });
-  this->Search(posts, 10.0, { Side / 2 }); // 8182 columns further east it meets the crest
+  this->Search(posts, 10.0, { Side / 2 }); // it meets the crest 8182 columns further east
 }
 
 TEST_F(HugeHorizons, OverColumns)
 {
-  constexpr std::ptrdiff_t side =
-    40000; // heights twice: of more posts, no machine of 24 GB holds them
+  // Heights are stored twice: a machine of 24 GB cannot hold more posts.
+  constexpr std::ptrdiff_t side = 40000;
   const std::string lacking = Lacking(14.5);
   if (!lacking.empty())
   {
@@ -198,7 +198,7 @@ TEST_F(HugeHorizons, OverColumns)
   this->Search(posts, 260.0, { side / 2 });
 }
 
-// Every post of 40000 x 40000, whose results are 6.4e9 bytes, through a filter.
+// A filter over all posts of 40000 x 40000, whose results are 6.4e9 bytes.
 TEST(HugeFilter, HorizonOfEveryPost)
 {
 #if defined(__SANITIZE_ADDRESS__)

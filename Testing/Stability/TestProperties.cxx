@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random fields, azimuths and lights: what must hold for all of them. A failure prints the field, made
-// as small as rapidcheck can, and the seed that repeats it (RC_PARAMS).
+// Random fields, azimuths and lights, for which certain properties must hold. A failure prints the
+// smallest field that rapidcheck finds, and the seed that repeats it (RC_PARAMS).
 #include "FloatGuard.h"
 #include "HeightField/Normals.h"
 #include "HorizonBounds.h"
@@ -28,8 +28,8 @@ namespace
 
 using oracle::OracleField;
 
-// The same fields in every run, so that no change fails by another's bad luck; the nightly build tries
-// others each time. RC_PARAMS of the environment has the last word.
+// The fields are the same in each run, so that a change cannot fail by chance. The nightly build
+// tries other ones each time. The environment variable RC_PARAMS takes precedence.
 #ifdef SKYLINE_NIGHTLY
 constexpr const char* Parameters = "max_success=5000";
 #else
@@ -37,15 +37,15 @@ constexpr const char* Parameters = "seed=20260621 max_success=300";
 #endif
 const int ParametersAreSet = setenv("RC_PARAMS", Parameters, 0);
 
-/// A number whose decimal exponent is even in [from, to].
+/// A number whose decimal exponent is uniformly distributed in [from, to].
 rc::Gen<double> Magnitude(int from, int to)
 {
   return rc::gen::map(rc::gen::inRange(1000 * from, 1000 * to),
     [](int thousandths) { return std::pow(10.0, thousandths / 1000.0); });
 }
 
-/// Azimuths: half of them multiples of 45 degrees or a hair beside (more than the snap of the
-/// oracle to posts), and beyond one turn.
+/// Azimuths of more than one turn. Half of them are multiples of 45 degrees or slightly beside one
+/// (by more than the oracle's PostSnap).
 rc::Gen<double> AnyAzimuth()
 {
   return rc::gen::oneOf(rc::gen::map(rc::gen::inRange(-16, 16), [](int k) { return 45.0 * k; }),
@@ -54,8 +54,8 @@ rc::Gen<double> AnyAzimuth()
     rc::gen::map(rc::gen::inRange(0, 36000), [](int k) { return k * 1.0e-2; }));
 }
 
-/// Fields of 2 to 39 posts a side; heights of a few levels, so that walls and terraces are common;
-/// relief from a millionth of a spacing to a million; any spacing; holes in one of three.
+/// Fields with 2 to 39 posts per side, any spacing, and a relief of 1e-6 to 1e6 spacings. Heights
+/// have few different values, so that walls and terraces are common. One of three has holes.
 OracleField AnyField()
 {
   const auto columns = *rc::gen::inRange<std::ptrdiff_t>(2, 40);
@@ -77,8 +77,8 @@ OracleField AnyField()
     height = relief * std::floor(share * levels) / levels;
     height = holes && random() < 0.15 ? std::nan("") : height;
   }
-  field.At(0, 0) = std::isfinite(field.At(0, 0)) ? field.At(0, 0) : 0.0; // one post at least
-  field.At(0, 0) += *rc::gen::element(0.0, 0.0, 1.0e4) * spacing;        // and at times a spike
+  field.At(0, 0) = std::isfinite(field.At(0, 0)) ? field.At(0, 0) : 0.0; // at least one post exists
+  field.At(0, 0) += *rc::gen::element(0.0, 0.0, 1.0e4) * spacing;        // sometimes a spike
   return field;
 }
 
@@ -92,7 +92,7 @@ std::vector<float> FindSlopes(
   return Slopes(*MakeHorizonMethod(posts, settings), GridOf(field), azimuth);
 }
 
-/// As `b` at mapped posts, up to twice the rounding.
+/// Checks that `a` equals `b` at the mapped posts, up to twice the rounding.
 void ExpectAlike(const OracleField& field, const std::vector<float>& a, const std::vector<float>& b,
   const std::function<std::size_t(std::ptrdiff_t, std::ptrdiff_t)>& there)
 {
@@ -114,8 +114,9 @@ RC_GTEST_PROP(HorizonProperty, EveryMethodKeepsItsPromise, ())
 {
   OracleField field = AnyField();
   double azimuth = *AnyAzimuth();
-  // Rays that pass exactly through posts, but not in every line, touch some cells at one corner alone:
-  // there rounding decides what counts. Along axes and the diagonals of squares nothing is rounded.
+  // Rays that pass exactly through posts, but not on each line, touch some cells at only one
+  // corner, where rounding decides what counts. Along the axes and the diagonals of squares there
+  // is no rounding.
   const bool diagonal = std::abs(std::remainder(azimuth, 90.0)) == 45.0;
   azimuth += diagonal && field.SpacingX != field.SpacingY ? 0.0137 : 0.0;
   const double sink = *rc::gen::element(0.0, 0.0, 1.0e-7, 1.0e-3);
@@ -127,7 +128,7 @@ RC_GTEST_PROP(HorizonProperty, EveryMethodKeepsItsPromise, ())
   {
     if (bilinear && tested.Tolerance < 0.0)
     {
-      continue; // knows triangles alone
+      continue; // only for triangles
     }
     HorizonSettings settings;
     settings.Method = tested.Kind;
@@ -146,7 +147,7 @@ RC_GTEST_PROP(HorizonProperty, ShiftsAndScalesChangeNothing, ())
   const std::vector<float> slopes = FindSlopes(field, azimuth);
   const auto here = [&](std::ptrdiff_t i, std::ptrdiff_t j) { return field.Index(i, j); };
   OracleField changed = field;
-  // By half the relief, which double heights take without loss of what a float keeps.
+  // A shift by half of the relief, which heights in doubles represent as exactly as floats need.
   const double shift = *rc::gen::element(-7.0, 0.5, 100.0) * ReliefOf(field);
   const double scale = *rc::gen::element(1.0e-3, 0.5, 3.0, 1.0e3);
   for (double& height : changed.Heights)
@@ -156,7 +157,7 @@ RC_GTEST_PROP(HorizonProperty, ShiftsAndScalesChangeNothing, ())
   changed.SpacingX *= scale;
   changed.SpacingY *= scale;
   ExpectAlike(field, slopes, FindSlopes(changed, azimuth), here);
-  // A turn more or less is the same direction.
+  // A full turn more gives the same direction.
   ExpectAlike(field, slopes, FindSlopes(field, azimuth + 360.0), here);
 }
 
@@ -165,7 +166,7 @@ RC_GTEST_PROP(HorizonProperty, TransposedAxesAndMirrorsTurnTheAzimuth, ())
   OracleField field = AnyField();
   const double azimuth = *AnyAzimuth();
   OracleField swapped(field.Rows, field.Columns, field.SpacingY, field.SpacingX);
-  OracleField mirrored = field; // about a vertical and a horizontal line: the diagonals stay
+  OracleField mirrored = field; // along a vertical and a horizontal line, which keeps the diagonals
   for (std::ptrdiff_t j = 0; j < field.Rows; ++j)
   {
     for (std::ptrdiff_t i = 0; i < field.Columns; ++i)
@@ -182,7 +183,7 @@ RC_GTEST_PROP(HorizonProperty, TransposedAxesAndMirrorsTurnTheAzimuth, ())
     { return field.Index(field.Columns - 1 - i, field.Rows - 1 - j); });
 }
 
-// Another post of terrain can raise horizons, never lower them.
+// More terrain can raise horizons, but not lower them.
 RC_GTEST_PROP(HorizonProperty, HigherTerrainHidesNoLess, ())
 {
   const OracleField field = AnyField();
@@ -202,7 +203,7 @@ RC_GTEST_PROP(HorizonProperty, HigherTerrainHidesNoLess, ())
   }
 }
 
-/// Slopes of horizons from -90 to +90 degrees, the ends among them.
+/// Slopes of horizons from -90 to +90 degrees, including both ends.
 rc::Gen<float> AnySlope()
 {
   return rc::gen::oneOf(rc::gen::element(NoTerrainSlope, 0.0f, -0.0f, 1.0e12f, -1.0e12f, 1.0e-30f),
@@ -233,11 +234,12 @@ RC_GTEST_PROP(SkyProperty, LiesBetweenNothingAndAll, ())
   }
   sky.Finish(0, 1);
   RC_ASSERT(guard.Raised() == "");
-  constexpr float sums = 1.0e-5f; // of 39 float terms
+  constexpr float sums = 1.0e-5f; // of 39 floats
   RC_ASSERT(values[1] >= -sums && values[1] <= 1.0f + sums);
   RC_ASSERT(values[2] >= -sums && values[2] <= 1.0f + sums);
   RC_ASSERT(values[3] >= -1.0e-3f && values[3] <= 180.001f);
-  // A tilted plane may get more than half the sky from one azimuth that stands for all around.
+  // A tilted plane can get more than half of the sky from a single azimuth that represents all of
+  // them.
   RC_ASSERT(values[0] >= -sums && (count < 8 || values[0] <= 1.06f));
   RC_ASSERT(std::isfinite(values[4]));
 }
@@ -300,7 +302,7 @@ RC_GTEST_PROP(WedgeProperty, HoldsNoMoreThanItsFunction, ())
   {
     energy += coefficient * coefficient;
   }
-  // Bessel: the solid angle above the horizon in the swath.
+  // Bessel's inequality: at most the solid angle above the horizon in the swath.
   RC_ASSERT(energy <= width * (1.0 - std::sin(horizon)) * (1.0 + 1e-9) + 1e-12);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every filter on every extreme field, of doubles and of floats, by every method: NaN where a post is
-// missing and nowhere else, and values within their range.
+// All filters on all extreme fields, of doubles and of floats, with all methods. The result must be
+// NaN at missing posts and only there, and other values must lie in their range.
 #include "HorizonBounds.h"
 #include "StabilityScenes.h"
 
@@ -43,14 +43,15 @@ protected:
     this->Field = std::get<0>(GetParam()).Make();
     const bool floats = std::get<1>(GetParam()) == Heights::Float;
     this->Field = floats ? AsFloats(this->Field) : this->Field;
-    this->Field.Sink = 0.0; // an image without a place is flat
+    this->Field.Sink = 0.0; // an image without a georeference is flat
     this->Image =
       floats ? ImageOf<vtkFloatArray>(this->Field) : ImageOf<vtkDoubleArray>(this->Field);
-    // Where a UTM zone has its numbers: with doubles, as a raster would.
+    // Coordinates like those of a UTM zone, in doubles as in a raster.
     this->Image->SetOrigin(5.0e5, 4.6e6, 0.0);
   }
 
-  /// The method of every run, and whether it is one of `last + 1` or below.
+  /// Runs the filter with each method up to `last`, and checks that the values of the arrays lie in
+  /// [low, high].
   template <typename Filter>
   void RunAll(Filter* filter, const std::vector<const char*>& arrays, double low, double high,
     int last = vtkHeightFieldAlgorithm::PYRAMID)
@@ -88,7 +89,7 @@ protected:
   vtkSmartPointer<vtkImageData> Image;
 };
 
-constexpr double Sums = 1.0e-5; // of some float terms up to 1
+constexpr double Sums = 1.0e-5; // of some floats up to 1
 
 TEST_P(StabilityOfFilters, HorizonsAreThoseOfTheOracle)
 {
@@ -155,16 +156,16 @@ TEST_P(StabilityOfFilters, LightsOfAllKinds)
 {
   vtkNew<vtkHeightFieldIrradiance> light;
   light->SetNumberOfAzimuths(16);
-  // All around, radiance 1: pi at the most, but for the swaths of the azimuths, w^2 / 24 of it.
+  // Radiance 1 from all directions: at most pi, plus the error of the swaths, w^2 / 24 of it.
   vtkNew<vtkSkylineEnvironmentLight> white;
   light->AddLight(white);
   this->RunAll(light.GetPointer(), { "Irradiance" }, 0.0, Pi * 1.007);
   light->SetLightMethodToHarmonics();
-  // A series rings: less than a tenth of the light may come out below none or above all.
+  // A series oscillates: up to a tenth of the light can be added or subtracted.
   this->RunAll(light.GetPointer(), { "Irradiance" }, -0.1 * Pi, 1.1 * Pi);
   light->SetLightMethodToTable();
   light->RemoveAllLights();
-  // Irradiance 1 on what faces the sun; the disc of 60 degrees is a light of radiance 1.
+  // Irradiance 1 on a plane that faces the sun. The disc of 60 degrees is a light of radiance 1.
   vtkNew<vtkSkylineSunLight> sun;
   sun->SetElevation(0.2);
   light->AddLight(sun);
@@ -176,7 +177,7 @@ TEST_P(StabilityOfFilters, LightsOfAllKinds)
   light->AddLight(key);
   this->RunAll(light.GetPointer(), { "Irradiance" }, 0.0, Pi * 1.007);
   light->RemoveAllLights();
-  // In the middle of the field, half in the ground of that place or what is near it.
+  // In the middle of the field, half below the ground at this position or near it.
   double range[2];
   this->Image->GetPointData()->GetScalars()->GetFiniteRange(range);
   double bounds[6];
@@ -191,8 +192,8 @@ TEST_P(StabilityOfFilters, LightsOfAllKinds)
 
 TEST_P(StabilityOfFilters, HarmonicsOfSwaths)
 {
-  // No coefficient is greater than the root of its function's energy (Bessel): 1 on half the sphere at
-  // the most, or a cosine there.
+  // No coefficient is greater than the square root of the energy of its function (Bessel's
+  // inequality): the function is at most 1 on half of the sphere, or a cosine there.
   const double sphere = std::sqrt(2.0 * Pi) + 1e-4;
   const double cosine = std::sqrt(2.0 / 3.0 * Pi) + 1e-4;
   vtkNew<vtkHeightFieldVisibility> visibility;
@@ -217,7 +218,7 @@ TEST_P(StabilityOfFilters, ShadowHeights)
 {
   double range[2];
   this->Image->GetPointData()->GetScalars()->GetFiniteRange(range);
-  // Floats near the greatest height lie so far apart.
+  // The distance between floats near the greatest height.
   const double spacing = 2.4e-7 * std::max(std::abs(range[0]), std::abs(range[1]));
   vtkNew<vtkHeightFieldShadowHeight> shadow;
   for (const double elevation : { 0.01, 25.0, 90.0 })

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The graphics processor on every extreme field, beside the host; skipped, with the reason, where no
-// context can be had.
+// The graphics processor on all extreme fields, compared with the host. Skipped, with the reason,
+// if there is no context.
 #include "HorizonBounds.h"
 #include "StabilityScenes.h"
 
@@ -23,7 +23,8 @@ namespace
 class StabilityOfGpu : public GpuTest
 {
 protected:
-  /// Updates both and compares the arrays, on all scenes: bound(scene) is what they may differ by.
+  /// Updates both filters and compares their arrays for all scenes. bound(field): the allowed
+  /// difference.
   template <typename Gpu, typename Host, typename Bound>
   void CompareAll(Gpu* gpu, Host* host, const char* name, const Bound& bound)
   {
@@ -47,8 +48,8 @@ protected:
   }
 };
 
-/// The same differences of floats, summed in another order: both err by what rounding allows at the
-/// steepest, which is where an angle spans most of it, near level ground.
+/// The same differences of floats, summed in another order. Both have the rounding error of a level
+/// horizon, where a difference of slopes is the greatest angle.
 double HorizonBound(const oracle::OracleField& field)
 {
   return std::min(180.0, 2.0 * ElevationRounding(field, 0.0) + 6.0e-5);
@@ -81,7 +82,7 @@ TEST_F(StabilityOfGpu, PyramidHorizons)
     [](const auto& field) { return std::min(90.0, 8.0 * HorizonBound(field) + 1.0e-3); });
 }
 
-/// A coefficient changes with a horizon by no more than a few times the angle.
+/// The change of a coefficient is at most a few times that of the horizon.
 double HarmonicBound(const oracle::OracleField& field)
 {
   return std::min(3.0, 2.0e-5 + 8.0 * HorizonBound(field) * RadiansPerDegree);
@@ -118,7 +119,7 @@ TEST_F(StabilityOfGpu, Irradiance)
     filter->SetLightMethodToHarmonics();
     filter->AddLight(sky);
   }
-  // Sixteen coefficients times those of a sky of some units of irradiance.
+  // Sixteen coefficients times those of a sky with an irradiance of a few units.
   this->CompareAll(gpu.GetPointer(), host.GetPointer(), "Irradiance",
     [](const auto& field) { return 16.0 * HarmonicBound(field); });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every kernel of horizons and light on every extreme field: within its bound of the oracle, energy
-// conserved, and no invalid operation, overflow or division by zero on the way.
+// All kernels for horizons and light on all extreme fields: results must be within the bounds of
+// the oracle, energy must be conserved, and there must be no invalid operation, overflow or
+// division by zero.
 #include "FloatGuard.h"
 #include "Harmonics/VisibilityAccumulator.h"
 #include "HeightField/Normals.h"
@@ -26,7 +27,7 @@ namespace testing
 namespace
 {
 
-// Multiples of 45 degrees, both sides of them and of north, and any others.
+// Multiples of 45 degrees, both sides of them and of north, and other azimuths.
 const std::vector<double> Azimuths{ 0.0, 0.01, 26.565051177, 45.0, 77.0, 90.0, 135.0, 180.0, 191.0,
   225.0, 270.0, 315.0, 341.0, 359.99, 405.0, -90.0 };
 
@@ -77,7 +78,7 @@ TEST_P(StabilityOfKernels, HorizonsAreThoseOfTheOracle)
   }
 }
 
-// The surface of bilinear cells is known to exact and fast alone.
+// Only the methods exact and fast support the surface of bilinear cells.
 TEST_P(StabilityOfKernels, BilinearHorizonsAreThoseOfTheOracle)
 {
   this->Field.Through = Surface::Bilinear;
@@ -100,7 +101,7 @@ TEST_P(StabilityOfKernels, BilinearHorizonsAreThoseOfTheOracle)
   }
 }
 
-/// What a field's horizons make of light, computed between the two ends of a FloatGuard.
+/// The light that results from the horizons of a field, computed under a FloatGuard.
 struct Lit
 {
   static constexpr int Count = 24; ///< azimuths
@@ -165,7 +166,7 @@ Lit Light(const oracle::OracleField& field, const HorizonSettings& settings)
     }
   };
   feed(azimuths, { &sky, &light, &visibility, &transfer });
-  // Across north: under the plane, on it, above it, in the zenith.
+  // Across north: below the plane, on it, above it, and at the zenith.
   const double elevations[4] = { -0.2, 0.0, 0.6, 0.5 * Pi };
   for (int k = 0; k < 4; ++k)
   {
@@ -180,10 +181,11 @@ Lit Light(const oracle::OracleField& field, const HorizonSettings& settings)
   return lit;
 }
 
-/// w^2 / 24 for a swath of that many azimuths: how the mean of a cosine over it differs from the middle.
+/// w^2 / 24 for a swath of this number of azimuths: the difference between the mean of a cosine
+/// over it and the cosine in its middle.
 constexpr double SwathShare = Pi * Pi / (6.0 * Lit::Count * Lit::Count);
 
-/// Sum of a post's squared coefficients.
+/// The sum of the squared coefficients of a post.
 double Energy(const std::vector<float>& harmonics, std::size_t post)
 {
   double sum = 0.0;
@@ -197,7 +199,7 @@ double Energy(const std::vector<float>& harmonics, std::size_t post)
 
 TEST_P(StabilityOfKernels, LightConservesEnergy)
 {
-  constexpr double sums = 1.0e-5; // of two dozen float terms up to 1, and the vectors' arcs
+  constexpr double sums = 1.0e-5; // of two dozen floats up to 1, and of the arcs of vectors
   for (const HorizonMethodKind kind : { HorizonMethodKind::Exact, HorizonMethodKind::Fast,
          HorizonMethodKind::Sweep, HorizonMethodKind::Pyramid })
   {
@@ -206,7 +208,7 @@ TEST_P(StabilityOfKernels, LightConservesEnergy)
     Lit lit;
     if (AnyMissing(this->Field))
     {
-      lit = Light(this->Field, this->Settings); // NaN in, NaN out: comparing them is "invalid"
+      lit = Light(this->Field, this->Settings); // NaN gives NaN, and its comparisons are "invalid"
     }
     else
     {
@@ -234,12 +236,13 @@ TEST_P(StabilityOfKernels, LightConservesEnergy)
         ASSERT_TRUE(within(sun[post], 0.0, 1.0, 0.0)) << sun[post];
       }
       ASSERT_EQ(lit.Suns[0][post], 0.0f) << "the sun has set";
-      // A white sky is the sky view factor times pi, but that the table takes the mean of the cosine
-      // over a swath in place of its middle: less by w^2 / 24 of what comes from the side.
+      // A white sky gives the sky view factor times pi. The table uses the mean of the cosine over
+      // a swath instead of the cosine in its middle: less by w^2 / 24 of the light from the side.
       ASSERT_NEAR(lit.White[3 * post], Pi * lit.Sky[post], Pi * SwathShare);
       ASSERT_EQ(lit.White[3 * post], lit.White[3 * post + 1]);
       ASSERT_EQ(lit.White[3 * post], lit.White[3 * post + 2]);
-      // Bessel: no series holds more than its function, 1 on half the sphere or the cosine there.
+      // Bessel's inequality: the energy of a series is at most that of its function, 1 on half of
+      // the sphere or the cosine there.
       ASSERT_TRUE(within(Energy(lit.Visibility, post), 0.0, 2.0 * Pi, 1e-4));
       ASSERT_TRUE(within(Energy(lit.Transfer, post), 0.0, 2.0 / 3.0 * Pi, 1e-4));
     }
@@ -260,7 +263,8 @@ TEST_P(StabilityOfKernels, LampsGiveNoMoreThanAllAround)
   settings.Azimuths = 8;
   const double width = grid.SpacingX * static_cast<double>(grid.Columns);
   const double relief = ReliefOf(this->Field);
-  // Over the ground, on it, in it; beside the field; small, as large as the field, and far larger.
+  // Above the ground, on it, and below it; inside and outside the field; small, as large as the
+  // field, and much larger.
   for (const double height : { 2.0 * relief + width, 0.0, -2.0 * relief - width })
   {
     for (const double radius : { 0.0, 1e-6 * width, 0.3 * width, 1e4 * width })
@@ -315,7 +319,8 @@ TEST_P(StabilityOfKernels, ShadowHeightsSayWhatHorizonsSay)
           continue;
         }
         ASSERT_TRUE(std::isfinite(heights[post]) && std::isfinite(swept[post]));
-        // In shadow by more than rounding where, and only where, the horizon stands above the light.
+        // A post is in shadow (by more than the rounding) if and only if its horizon is above the
+        // light.
         const double own = this->Field.Heights[post] - base;
         const double step = std::min(this->Field.SpacingX, this->Field.SpacingY);
         const double rounding = 1.0e-6 * (ReliefOf(this->Field) + std::abs(heights[post]));
@@ -337,7 +342,7 @@ TEST_P(StabilityOfKernels, ShadowHeightsSayWhatHorizonsSay)
 INSTANTIATE_TEST_SUITE_P(All, StabilityOfKernels, ::testing::ValuesIn(StabilityScenes()),
   [](const auto& scene) { return std::string(scene.param.Name); });
 
-// Kernels meet such a field where a filter has not refused it.
+// A kernel gets such a field only if no filter refused it.
 TEST(StabilityOfNothing, AllMissing)
 {
   oracle::OracleField none(7, 5, 1.0, 1.0);

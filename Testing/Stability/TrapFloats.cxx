@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Preloaded into any program (LD_PRELOAD), stops it at an invalid operation, an overflow or a division by
-// zero, in Skyline or in a library below it.
+// Preloaded into a program (LD_PRELOAD), this library stops it at an invalid operation, an overflow
+// or a division by zero, in Skyline or in a library that it uses.
 #include "FloatGuard.h"
 
 namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The gallery at small sizes: its pictures show something, and errors fall where they must.
+// The gallery at small sizes: its pictures are not empty, and errors decrease where they must.
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPNGReader.h"
@@ -21,13 +21,13 @@
 namespace
 {
 
-/// The exit code of a program that could not run, as ctest has it.
+/// The exit code with which a program tells ctest that it could not run.
 constexpr int Skipped = 77;
 
-/// A white sheet with captions has a dozen greys from the letters' rims.
+/// A white sheet with captions has only a dozen greys, at the edges of the letters.
 constexpr std::size_t LeastColors = 300;
 
-/// A tenth above the worst of the scenes at this size, the street of the city: per cent of the rms.
+/// Percent of the RMS: 10 % above the worst scene at this size, the street of the city.
 constexpr double LampBound = 25.0;
 
 class Gallery : public ::testing::Test
@@ -43,7 +43,7 @@ protected:
     return std::string(figure).append("/").append(setting).append("/").append(against);
   }
 
-  /// False after a failure or a skip.
+  /// Returns false after a failure or a skip.
   bool Run(const std::vector<std::string>& figures)
   {
     const std::string folder = SKYLINE_TEST_OUTPUT;
@@ -65,7 +65,8 @@ protected:
     return status == 0;
   }
 
-  /// Lines "| setting | against | rms | ..." and "| setting | what | value |" under "name: title".
+  /// Reads the lines "| setting | against | rms | ..." and "| setting | what | value |" below
+  /// "name: title".
   void Read(const std::string& path)
   {
     std::ifstream file(path);
@@ -102,7 +103,7 @@ protected:
     return found == this->Values.end() ? 0.0 : found->second;
   }
 
-  /// Each value lies below `factor` times the one before.
+  /// Checks that each value is less than `factor` times the previous one.
   void ExpectFalling(const std::string& figure, const std::vector<std::string>& settings,
     const std::string& against, double factor = 1.0)
   {
@@ -159,7 +160,7 @@ TEST_F(Gallery, KeyLights)
   this->ExpectFalling("sn08-3", { "k = 1", "k = 2", "k = 3" }, exact);
   this->ExpectFalling("sn08-4", { "o = 0", "o = 1", "o = 2", "o = 3", "o = 4" }, exact);
   this->ExpectFalling("sn08-10", { "k = o = 1", "k = o = 2", "k = o = 4", "k = o = 8" }, exact);
-  const std::string edge = "steepest edge, % of the open light a metre";
+  const std::string edge = "steepest edge, % of the open light per metre";
   this->ExpectFalling("sn08-6",
     { "swath 11.25 degrees", "swath 22.5 degrees", "swath 45 degrees", "swath 90 degrees" }, edge);
   const std::string crease = "largest crease, % of the open light";
@@ -228,7 +229,7 @@ TEST_F(Gallery, Shadows)
   }
 }
 
-/// The program's exit code after "<arguments>", without its output.
+/// The exit code of the program with these arguments. Its output is discarded.
 int ExitOf(const std::string& arguments)
 {
   std::string command = std::string("'").append(SKYLINE_GALLERY).append("' --quick ");

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the command line share: running the program, making and reading rasters.
+"""Code that the tests of the command line share: it runs the program, and makes and reads rasters.
 
 Each test file is run as `python3 TestX.py PROGRAM DATA`: the built program and Testing/Data.
 """
@@ -11,7 +11,7 @@ import sys
 import tempfile
 import unittest
 
-SKIPPED = 77  # what ctest counts as skipped
+SKIPPED = 77  # the exit code that ctest counts as skipped
 
 try:
     import numpy as np
@@ -31,7 +31,8 @@ NODATA = -9999.0
 
 def make(path, heights, step=(30.0, 30.0), corner=(500000.0, 5100000.0), epsg=None, wkt=None,
          nodata=None, south_up=False, kind=gdal.GDT_Float64, unit=None):
-    """Writes heights (row 0 = south edge) as a GeoTIFF; `corner` is the outer south-west corner."""
+    """Writes heights (row 0 is the southern edge) as a GeoTIFF. `corner` is the outer south-western
+    corner."""
     rows, columns = heights.shape
     driver = gdal.GetDriverByName("GTiff")
     raster = driver.Create(path, columns, rows, 1, kind)
@@ -58,7 +59,7 @@ def make(path, heights, step=(30.0, 30.0), corner=(500000.0, 5100000.0), epsg=No
 
 
 def read(path):
-    """Values as (bands, rows, columns) of doubles, row 0 = south edge, NaN where nodata."""
+    """Values as (bands, rows, columns) of doubles. Row 0 is the southern edge; nodata values are NaN."""
     raster = gdal.Open(path)
     values = raster.ReadAsArray().astype(float)
     values = values.reshape(-1, raster.RasterYSize, raster.RasterXSize)
@@ -69,7 +70,7 @@ def read(path):
 
 
 def hills(rows, columns, seed=1, relief=300.0):
-    """Terrain of a few waves; the same for the same seed."""
+    """Terrain of a few waves. The same seed gives the same terrain."""
     random = np.random.default_rng(seed)
     y, x = np.mgrid[0:rows, 0:columns]
     heights = np.zeros((rows, columns))
@@ -81,7 +82,7 @@ def hills(rows, columns, seed=1, relief=300.0):
 
 
 def limit_memory(size):
-    """A function for preexec_fn: the program gets `size` bytes of address space."""
+    """A function for preexec_fn that limits the address space of the program to `size` bytes."""
     return lambda: resource.setrlimit(resource.RLIMIT_AS, (size, size))
 
 
@@ -105,7 +106,7 @@ class ToolTest(unittest.TestCase):
         return sorted(os.listdir(self.folder))
 
     def run_program(self, *arguments, **options):
-        """Returns the finished process, with text output. Nothing may hang."""
+        """Returns the finished process, with its output as text. A hanging program is an error."""
         return subprocess.run([PROGRAM, *map(str, arguments)], stdin=subprocess.DEVNULL,
                               capture_output=True, text=True, timeout=300, cwd=self.folder,
                               **options)
@@ -117,7 +118,7 @@ class ToolTest(unittest.TestCase):
         return done
 
     def refused(self, code, *arguments, says="", **options):
-        """The command exits with `code`, one line on standard error, and leaves no new file."""
+        """The command must exit with `code`, print one line to standard error, and leave no new file."""
         before = self.files()
         done = self.run_program(*arguments, **options)
         self.assertEqual(done.returncode, code, done.stderr)
@@ -131,7 +132,7 @@ class ToolTest(unittest.TestCase):
 
 
 def main():
-    """Reads the two arguments of every test file, then runs its tests."""
+    """Reads the two arguments that each test file has, then runs its tests."""
     global PROGRAM, DATA
     if len(sys.argv) < 3:
         sys.exit("usage: " + sys.argv[0] + " PROGRAM DATA [unittest options]")

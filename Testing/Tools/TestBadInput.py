@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Everything that can be wrong with the input or the output: exit 1, one line, no file left."""
+"""Wrong input and failing output: exit 1, one line, and no file is left."""
 import os
 import resource
 import subprocess
@@ -7,7 +7,7 @@ import subprocess
 import Program
 from Program import UTM10, ToolTest, hills, make, np
 
-# Commands that write a raster, by their options beside DEM and -o.
+# Commands that write a raster, with their options apart from DEM and -o.
 WRITERS = {"horizon": ["--azimuths", "4"], "sky-view": ["--azimuths", "4"], "sun": [], "shade": [],
            "irradiance": ["--azimuths", "4"]}
 
@@ -23,7 +23,7 @@ class BadInput(ToolTest):
         self.dem = make(self.path("dem.tif"), hills(20, 30), epsg=UTM10)
 
     def refuse(self, dem, says=""):
-        """Every command refuses this DEM, with and without -o."""
+        """Each command must refuse this DEM, with and without -o."""
         for command, options in WRITERS.items():
             with self.subTest(command=command):
                 self.refused(1, command, dem, "-o", self.path("out.tif"), *options, says=says)
@@ -77,7 +77,7 @@ class BadInput(ToolTest):
                         1, command, dem, "-o", self.path("out.tif"), *options, says="2 x 2")
 
     def test_crs_without_a_known_unit(self):
-        # A virtual raster keeps the CRS as it is written; a GeoTIFF would drop it.
+        # A virtual raster stores the CRS as it is written; a GeoTIFF would drop it.
         with open(self.path("unit.vrt"), "w") as raster:
             raster.write('''<VRTDataset rasterXSize="30" rasterYSize="20">
   <SRS>LOCAL_CS["somewhere",UNIT["unknown",1]]</SRS>
@@ -161,7 +161,7 @@ class BadInput(ToolTest):
     def test_not_enough_memory(self):
         self.skip_if_sanitized()
         dem = make(self.path("large.tif"), hills(1000, 1000))
-        # 3600 azimuths of a million posts: 14 gigabytes.
+        # 3600 azimuths of a million posts need 14 gigabytes.
         self.refused(1, "horizon", dem, "-o", self.path("out.tif"), "--azimuths", "3600",
                      preexec_fn=Program.limit_memory(3 << 30))
 

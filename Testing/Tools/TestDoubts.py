@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Doubtful DEMs: what is warned of, what an undeclared value does to the rest, and --nodata."""
+"""Doubtful DEMs: the warnings, the effect of an undeclared nodata value on other posts, and --nodata."""
 import math
 import os
 
@@ -14,7 +14,7 @@ HEIGHT_AXIS = 'CS[Cartesian,3],AXIS["(E)",east,ORDER[1],LENGTHUNIT["metre",1]],'
 
 
 def three_dimensions():
-    """UTM with a third axis in feet, as WKT."""
+    """UTM with a vertical axis in feet, as WKT."""
     crs = osr.SpatialReference()
     crs.ImportFromEPSG(UTM10)
     wkt = crs.ExportToWkt(["FORMAT=WKT2_2019"])
@@ -23,7 +23,7 @@ def three_dimensions():
 
 class Doubts(ToolTest):
     def warned(self, *arguments):
-        """The command succeeds; returns what it warns of."""
+        """The command must succeed. Returns its warnings."""
         done = self.run_program(*arguments)
         self.assertEqual(done.returncode, 0, done.stderr)
         lines = done.stderr.splitlines()
@@ -102,7 +102,7 @@ class Doubts(ToolTest):
             dem = make(self.path("dem.tif"), heights, **{"epsg": UTM10, **options})
             kept = gdal.Open(dem).GetSpatialRef().GetAxesCount()
             if "wkt" in options and kept != 3:
-                continue  # this GeoTIFF library keeps no such CRS; TestReaderDoubts reads it as VRT
+                continue  # this GeoTIFF library cannot store it; TestReaderDoubts uses a VRT
             self.succeed("horizon", dem, "-o", out, "--azimuths", 4, "--flat")
             wanted = math.degrees(math.atan(100.0 * metres / 90.0))
             self.assertAlmostEqual(read(out)[1][5, 5], wanted, delta=2e-3, msg=str(options))

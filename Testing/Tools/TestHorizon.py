@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""skyline horizon, and what all rasters that the program writes have in common."""
+"""skyline horizon, and the properties of all rasters that the program writes."""
 import os
 
 import Program
 from Program import NODATA, UTM10, ToolTest, gdal, hills, make, np, osr, read
 
-# Heights are floats relative to a base: 1e-4 m over a step of 30 m is 2e-4 degrees.
+# Heights are floats relative to a base: 1e-4 m over a step of 30 m are 2e-4 degrees.
 ANGLE_TOLERANCE = 1e-3
 
 
@@ -94,7 +94,7 @@ class Horizon(ToolTest):
         a = self.horizon(up, "--azimuths", "12", out="a.tif")
         b = self.horizon(down, "--azimuths", "12", out="b.tif")
         self.assertTrue(np.array_equal(a, b, equal_nan=True))
-        # The same corners on the map, whichever way the rows run.
+        # The corners on the map are the same, whatever the order of the rows.
         corners = []
         for name in ["a.tif", "b.tif"]:
             raster = gdal.Open(self.path(name))
@@ -131,7 +131,8 @@ class Horizon(ToolTest):
         self.assertTrue(np.array_equal(second, alone))
 
     def test_curvature_lowers_far_horizons_unless_flat(self):
-        # A wall 30 km away sinks by (1 - k) d^2 / 2R: about 61 m, an eighth of a degree.
+        # A wall at a distance of 30 km sinks by (1 - k) d^2 / 2R: about 61 m, an eighth of a
+        # degree.
         heights = np.zeros((3, 301))
         heights[:, 300] = 1000.0
         dem = make(self.path("dem.tif"), heights, step=(100.0, 100.0), epsg=UTM10)
@@ -150,8 +151,8 @@ class Horizon(ToolTest):
         self.assertEqual(self.horizon(bare, "--azimuths", "4")[1, 1, 0], flat)
 
     def test_geographic_raster_has_true_distances(self):
-        # At 60 degrees north a degree of longitude is half a degree of latitude: 0.5 degrees of the
-        # ellipsoid are 27.9 km along the row.
+        # At 60 degrees north a degree of longitude is half as long as a degree of latitude: 0.5
+        # degrees on the ellipsoid are 27.9 km along the row.
         heights = np.zeros((5, 51))
         heights[:, 50] = 3000.0
         dem = make(self.path("dem.tif"), heights, step=(0.01, 0.01), corner=(10.0, 59.975),

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""SIGINT and SIGTERM at any moment: the end is the signal's, one line, no file, soon."""
+"""SIGINT and SIGTERM at any time: the program must end by the signal, soon, with one line and without a
+file."""
 import os
 import signal
 import subprocess
@@ -8,18 +9,18 @@ import time
 import Program
 from Program import ToolTest, UTM10, hills, make
 
-# Seconds from the signal to the end: the patience of Tools/Interrupt.h, and a loaded machine.
+# Seconds from the signal to the end: the delay of Tools/Interrupt.h, plus time for a busy machine.
 SOON = 10.0
 
-# Moments tried, from before the program's start to after its end.
+# Number of times that are tried, from before the start of the program to after its end.
 STEPS = 12
 
-# Seconds of the processors' time after which the program is at its long work; it starts in 0.15.
+# Seconds of CPU time after which the program is in its long computation; it starts in 0.15.
 STARTED = 1.0
 
 
 def processor_seconds(process):
-    """What a process has used of the processors; a busy machine gives it little a second."""
+    """The CPU time of a process. On a busy machine it grows slowly."""
     with open("/proc/%d/stat" % process) as file:
         fields = file.read().rpartition(")")[2].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
@@ -64,12 +65,12 @@ class Interrupt(ToolTest):
             _, text = running.communicate(timeout=60)
             ends.add(running.returncode)
             if "out%d.tif" % step in self.files():
-                # Finished before the signal came, or as it did.
+                # The program finished before the signal, or at the same time.
                 self.assertIn(running.returncode, [0, -signal.SIGINT])
                 self.assertTrue(
                     Program.np.array_equal(Program.read(out), whole, equal_nan=True))
             else:
-                # Before main begins, the signal does what it does to every program.
+                # Before main begins, the signal has its default effect.
                 self.assertEqual(running.returncode, -signal.SIGINT)
                 self.assertIn(text, ["skyline: interrupted\n", ""])
             self.assertEqual([name for name in self.files() if "part" in name], [])

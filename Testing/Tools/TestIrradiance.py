@@ -9,10 +9,11 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import Program  # noqa: E402
 from Program import UTM10, ToolTest, gdal, hills, make, np, read  # noqa: E402
 
-# Floats summed over some hundred azimuths.
+# The error of floats summed over some hundred azimuths.
 SUM_TOLERANCE = 2e-5
 
-# An environment's cosine is averaged over a swath of 128, a sky view factor's is not: 1e-4 of pi.
+# For an environment, the cosine is averaged over a swath of 128; for a sky view factor it is not:
+# 1e-4 of pi.
 SWATH_TOLERANCE = 5e-4
 
 
@@ -58,7 +59,7 @@ class Irradiance(ToolTest):
                 self.assertTrue(np.array_equal(np.isnan(band), np.isnan(heights)))
 
     def test_white_furnace(self):
-        # Open level ground under radiance 1 gets pi, whatever turns or integrates it.
+        # Open level ground under a radiance of 1 gets pi, for any rotation and quadrature.
         for options in [[], ["--rotation", "33", "--quiet"], ["--quadrature", "blend"], ["--method", "sh"],
                         ["--quadrature", "linear", "--azimuths", "7"], ["--no-refinement", "--quiet"],
                         ["--environment", "cie:5"]]:
@@ -66,7 +67,7 @@ class Irradiance(ToolTest):
             self.assertLess(np.abs(light - np.pi).max(), 1e-4, options)
 
     def test_overcast_skies(self):
-        # Moon & Spencer: 7 pi / 9 of the zenith's radiance.
+        # Moon & Spencer: 7 pi / 9 times the radiance of the zenith.
         light = self.irradiance(self.level(), "--environment", "cie:16")
         self.assertLess(np.abs(light / (7.0 * np.pi / 9.0) - 1.0).max(), 5e-4)
 
@@ -83,14 +84,14 @@ class Irradiance(ToolTest):
             self.assertLess(np.abs(band - factor * expected).max(), factor * SUM_TOLERANCE)
 
     def test_sun_on_a_slope(self):
-        # A plane that rises to the north by a half, sun in the south at 30 degrees.
+        # A plane that rises to the north by one half, with the sun in the south at 30 degrees.
         y, _ = np.mgrid[0:20, 0:25] * 30.0
         light = self.irradiance(make(self.path("dem.tif"), 0.5 * y), "--sun", "180,30")
         tilt = np.arctan(0.5)
         self.assertLess(np.abs(light - np.sin(np.radians(30.0) + tilt)).max(), 1e-4)
 
     def test_suns_of_any_size(self):
-        # The irradiance is that on a plane that faces the disc.
+        # The irradiance is that of a plane facing the disc.
         for radius in ["0", "2.9", "3.1", "20"]:
             light = self.irradiance(self.level(), "--sun", "100,40", "--sun-radius", radius)
             self.assertLess(
@@ -117,7 +118,7 @@ class Irradiance(ToolTest):
         self.assertLess(np.abs(sky / 120.0 - 1.0).max(), 1e-3)
 
     def test_clear_sky_is_bright_around_the_sun(self):
-        # A slope to the south under a sun in the south, without the sun itself.
+        # A slope to the south and a sun in the south; only the sky counts.
         y, _ = np.mgrid[0:20, 0:25] * 30.0
         dem = make(self.path("dem.tif"), 0.8 * y)
         south = self.irradiance(dem, "--environment", "cie:12", "--sun", "180,30",
@@ -125,13 +126,14 @@ class Irradiance(ToolTest):
         north = self.irradiance(dem, "--environment", "cie:12", "--sun", "0,30",
                                 "--sun-irradiance", "0")
         self.assertGreater(np.median(south), 1.3 * np.median(north))
-        # Turning the sky turns its sun.
+        # A rotation of the sky also moves its brightest part, the sun.
         turned = self.irradiance(dem, "--environment", "cie:12", "--sun", "0,30",
                                  "--sun-irradiance", "0", "--rotation", "180")
         self.assertLess(np.abs(turned / south - 1.0).max(), 1e-3)
 
     def test_light_map(self):
-        # Level ground: the irradiance of the upper hemisphere, by brute force over the map's pixels.
+        # Level ground: the irradiance of the upper hemisphere, by brute force over the pixels of
+        # the map.
         folder = os.path.join(Program.DATA, "light-maps")
         with open(os.path.join(folder, "env_irradiance_6_normals.csv"), encoding="utf-8") as table:
             rows = list(csv.reader(line for line in table if not line.startswith("#")))
@@ -140,11 +142,11 @@ class Irradiance(ToolTest):
             light = self.irradiance(
                 self.level(), "--environment", os.path.join(folder, name))
             values = light[:, 5, 5]
-            # The reference is of the map before its pixels were averaged, eight by eight: inside
-            # one, the cosine of a sun low over the horizon changes by a third.
+            # The reference used the map before 8 x 8 of its pixels were averaged. Within such a
+            # block, the cosine of a sun low above the horizon changes by a third.
             reference = up["pmndrs_" + name.replace("_128", "")]
             self.assertLess(np.abs(values / reference - 1.0).max(), 6e-3, name)
-            # Any rotation, any quadrature: level open ground gets the same.
+            # Level open ground gets the same for any rotation and quadrature.
             for options in [["--rotation", "77.7"], ["--quadrature", "linear"],
                             ["--azimuths", "5"], ["--horizontal"]]:
                 other = self.irradiance(
@@ -152,23 +154,23 @@ class Irradiance(ToolTest):
                 self.assertLess(np.abs(other[:, 5, 5] / values - 1.0).max(), 1e-4, options)
 
     def test_rotation_turns_the_map_clockwise(self):
-        # Terrain and map turned by a right angle together: the picture turns with them.
+        # If terrain and map are rotated by a right angle together, so is the result.
         file = os.path.join(Program.DATA, "light-maps", "sunset_128.hdr")
         heights = hills(24, 24)
         straight = self.irradiance(
             make(self.path("a.tif"), heights, step=(30.0, 30.0)), "--environment", file)
-        # Clockwise: what was north comes to lie east; row 0 is the south edge.
+        # Clockwise: the north becomes the east. Row 0 is the southern edge.
         turned = self.irradiance(make(self.path("b.tif"), np.rot90(heights, 1), step=(30.0, 30.0)),
                                  "--environment", file, "--rotation", "90")
         back = np.stack([np.rot90(band, -1) for band in turned])
-        # The diagonals of the cells do not turn along.
+        # The diagonals of the cells do not rotate.
         self.assertLess(np.median(np.abs(back / straight - 1.0)), 2e-3)
         wrong = self.irradiance(self.path("b.tif"), "--environment", file, "--rotation", "-90")
         wrong = np.stack([np.rot90(band, -1) for band in wrong])
         self.assertGreater(np.median(np.abs(wrong / straight - 1.0)), 2e-2)
 
     def test_lamp(self):
-        # 30 m over the middle of level ground in the raster's own coordinates.
+        # 30 m above the middle of level ground, in the coordinates of the raster.
         corner = (560000.0, 5110000.0)
         dem = make(self.path("dem.tif"), np.full((21, 21), 500.0), step=(10.0, 10.0),
                    corner=corner, epsg=UTM10)
@@ -184,13 +186,13 @@ class Irradiance(ToolTest):
 
     def test_lamps_add_up_and_shine_alone(self):
         dem = self.level()
-        # --quiet: these lamps are far from the DEM, and a warning says so.
+        # --quiet, because these lamps are far from the DEM, which causes a warning.
         one = self.irradiance(dem, "--lamp", "30,30,120,2", "--quiet")
         other = self.irradiance(dem, "--lamp", "90,60,130,2,1,2,3", "--quiet")
         both = self.irradiance(
             dem, "--lamp", "30,30,120,2", "--lamp", "90,60,130,2,1,2,3", "--quiet")
         self.assertLess(np.abs(both - one - other).max(), SUM_TOLERANCE)
-        self.assertLess(one.max(), 0.1)  # no sky
+        self.assertLess(one.max(), 0.1)  # without a sky
 
     def test_verbose_counts_passes(self):
         dem = self.level()
@@ -207,7 +209,8 @@ class Irradiance(ToolTest):
         self.assertTrue(np.array_equal(one, two))
 
     def test_a_sun_below_the_horizon_is_no_light(self):
-        # Perez's sky is a sky of the sun: with the sun down it is as dark as any sun that is down.
+        # Perez's sky depends on the sun: if the sun has set, it is as dark as for any sun below the
+        # horizon.
         level = self.level()
         for sky in [[], ["--environment", "perez:700,120"]]:
             for elevation in ["-5", "-0.5", "-90"]:
@@ -216,14 +219,14 @@ class Irradiance(ToolTest):
 
     def test_a_lamp_in_another_crs_warns_with_the_distance(self):
         dem = make(self.path("dem.tif"), hills(9, 8), epsg=UTM10)  # corner 500000, 5100000
-        for where, far in [("-123.0,46.05", "5124 km"),  # the place in degrees
-                           ("500120,5140005", "39.75 km")]:  # the north-most posts lie at 5100255
+        for where, far in [("-123.0,46.05", "5124 km"),  # the position in degrees
+                           ("500120,5140005", "39.75 km")]:  # the northernmost posts are at 5100255
             done = self.run_program("irradiance", dem, "-o", self.path("out.tif"), "--lamp",
                                     where + ",1200,5")
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertRegex(done.stderr, "^warning: lamp 1 stands " + far + " beside the height field, "
                              "too far to light it; assuming its X and Y are coordinates in the CRS")
-        # As bright as the sun, and as wide: a far lamp that lights the field.
+        # A distant lamp that is as bright and as large as the sun does light the field.
         self.succeed("irradiance", dem, "-o", self.path("out.tif"), "--lamp",
                      "500120,5140000,20000,300")
 

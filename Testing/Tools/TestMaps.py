@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Distorted maps: azimuths there and back, shadows at the right posts, no seams, doubts told."""
+"""Distorted maps: conversion of azimuths, shadows at the right posts, no seams, and warnings."""
 import Program
 from Program import ToolTest, make, np, osr, read
 
-RADIUS = 6371007.181  # of the MODIS sphere
+RADIUS = 6371007.181  # of the sphere of MODIS
 MODIS = f"+proj=sinu +R={RADIUS} +units=m +no_defs"
 
 
@@ -50,7 +50,7 @@ class Shadows(ToolTest):
     TOWER = 30
 
     def towards_tower(self):
-        """Azimuth and distance (great circles on the sphere) from every post to the tower's."""
+        """Azimuth and distance from each post to the tower (great circles on the sphere)."""
         x0, y0 = sinusoidal(-150.0, 63.0)
         steps = (np.arange(self.POSTS) - self.TOWER) * self.STEP
         x, y = np.meshgrid(x0 + steps, y0 + steps)
@@ -74,7 +74,8 @@ class Shadows(ToolTest):
                     corner=(x0 - half, y0 - half), wkt=wkt(MODIS))
 
     def check(self, visibility, azimuth):
-        """Dark where the tower's middle stands before the sun, lit well beside it."""
+        """Posts where the middle of the tower is in front of the sun are dark; posts well beside it are
+        lit."""
         towards, distance = self.towards_tower()
         off = np.radians((towards - azimuth + 180.0) % 360.0 - 180.0) * distance
         ahead = np.abs((towards - azimuth + 180.0) % 360.0 - 180.0) < 90.0
@@ -87,7 +88,7 @@ class Shadows(ToolTest):
 
     def test_the_sun_of_a_time_and_of_a_direction(self):
         dem = self.dem()
-        time = "2026-06-21T06:00Z"  # in the evening there, in the north-west
+        time = "2026-06-21T06:00Z"  # there it is evening, and the sun is in the north-west
         printed = {name: float(text.split()[0]) for name, text in
                    (line.split(": ") for line in self.succeed("sun", dem, "--time", time)
                     .stdout.splitlines()) if "degree" in text}
@@ -112,16 +113,16 @@ class Shadows(ToolTest):
 
 
 class Seams(ToolTest):
-    # Neighbouring rows may differ by this many times the typical difference of a row: what a smooth
-    # ridge brings by itself.
+    # Differences of neighbouring rows may be this many times the typical difference in a row, which
+    # is the effect of a smooth ridge.
     SMOOTHNESS = 4.0
 
     def test_a_grazing_sun_over_a_raster_in_degrees(self):
-        # 2.4 degrees of latitude; a gently waving ridge far in the east, the sun in the north-east just
-        # on it.
+        # 2.4 degrees of latitude, a slightly wavy ridge far in the east, and the sun in the
+        # north-east just above it.
         rows, columns, step = 600, 150, 0.004
         y = np.arange(rows)
-        heights = np.full((rows, columns), 300.0)  # 0 would be doubted
+        heights = np.full((rows, columns), 300.0)  # the height 0 would cause a warning
         heights[:, 140] = 2300.0 + 60.0 * np.sin(y / 45.0)
         dem = make(self.path("dem.tif"), heights, step=(step, step), corner=(10.0, 59.0),
                    wkt=wkt("EPSG:4326"))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every option of every command acts, or says that it cannot; every wrong value is refused by name.
+"""Each option of each command has an effect or is refused or warned of; each wrong value is refused.
 
-The tables hold a line for each option: ACTS changes the output to the byte, IDLE is refused where it
-cannot act, WARNS is used where only the data make it idle. A test takes the options from the help, so
-that a new one needs a line.
+The tables have a line for each option. An option in ACTS must change the output. One in IDLE must be refused
+where it has no effect. One in WARNS is accepted, with a warning, where only the data make it useless. The
+test takes the options from the help, so that a new option needs a line.
 """
 import os
 import re
@@ -11,24 +11,25 @@ import re
 import Program
 from Program import UTM10, ToolTest, hills, make, np
 
-TIME = "2026-06-21T14:00Z"  # the sun stands low at the DEM
+TIME = "2026-06-21T14:00Z"  # the sun is low at the DEM
 SUN = ["--sun", "200,12"]
 FEW = ["--azimuths", "8"]
-WIDE = ["--sun-radius", "9"]  # a disc that many posts see in part
+WIDE = ["--sun-radius", "9"]  # a disc of which many posts see a part
 MAP = "MAP"    # a light map
-LAMP = "LAMP"  # a lamp over the DEM
+LAMP = "LAMP"  # a lamp above the DEM
 
 ROWS, COLUMNS = 110, 120
 
-# Options that change no byte of a result: how much is said, and how much of the machine is used.
+# Options that do not change the result: the amount of messages, and the use of the machine.
 TALK = {"--help", "--quiet", "--verbose", "--threads",
-        "--nodata", "--driver", "--allow-network", "--allow-elsewhere"}  # have tests of their own
+        "--nodata", "--driver", "--allow-network", "--allow-elsewhere"}  # these have their own tests
 
 WRITERS = {"horizon": ["out.tif", *FEW], "sky-view": ["out.tif", *FEW], "sun": ["out.tif", *SUN],
            "shadow-height": ["out.tif", *SUN], "irradiance": ["out.tif", *FEW],
            "shade": ["out.tif", *FEW]}
 
-# command: option and value, and the further options under which it acts. "-": the command without -o.
+# command: option and value, and the further options with which it has an effect. "-": the command
+# without -o.
 ACTS = {
     "horizon": [
         (["--band", "2"],), (["--cloud-optimized"],), (["--azimuths", "9"],), (["--method", "sweep"],),
@@ -78,10 +79,10 @@ ACTS = {
         (["--colors", "ocean"],), (["--exposure", "1"],), (["--exaggeration", "2"],)],
 }
 
-# Options of a picture seen from the side, which needs OpenGL: they have no line in ACTS.
+# Options of a perspective view, which needs OpenGL: they have no line in ACTS.
 ELSEWHERE = {"shade": {"--view", "--from", "--size"}}
 
-# command, further options, the option that cannot act under them, and what the message says.
+# command, further options, the option that has no effect with them, and a part of the message.
 IDLE = [
     *[(command, [method, "sweep"], ["--tolerance", "1"], "exact")
       for command, method in [("horizon", "--method"), ("sky-view", "--method"), ("sun", "--method"),
@@ -116,7 +117,7 @@ IDLE = [
     *[(command, [], ["--environment", "perez:500,100"], "perez") for command in ("irradiance", "shade")],
 ]
 
-# The same, where the result is right without the option: a warning.
+# The same where the result is right without the option: a warning.
 WARNED = [
     *[("irradiance", SUN, [option, *value], "azimuths")
       for option, value in (("--azimuths", ["9"]), ("--quadrature", ["blend"]), ("--no-refinement", []))],
@@ -131,10 +132,10 @@ WARNED = [
     ("shade", ["--environment", "none"], ["--rotation", "90"], "same all around"),
 ]
 
-# What no command takes as the value of an option with numbers; test_messages has the other kinds.
+# Values that no numeric option of any command accepts. test_messages has the other types.
 NO_NUMBERS = ["", "0x1"]
 
-# option: commands that take it, and further values out of range.
+# option: the commands that have it, and further values out of range.
 NUMBERS = {
     "--azimuths": ("horizon", ["0", "-1", "3601", "99999999999", "1.5", "1,5"]),
     "--band": ("horizon", ["0", "-1", "99999999999", "1.5"]),
@@ -178,7 +179,7 @@ NAMES = {
 class Options(ToolTest):
     def setUp(self):
         super().setUp()
-        # Wide posts, so that the Earth's curvature is felt, with hills of a few hundred metres.
+        # Posts far apart, so that curvature has an effect, with hills of a few hundred metres.
         heights = hills(ROWS, COLUMNS, relief=4000.0)
         self.dem = make(self.path("dem.tif"), heights, step=(400.0, 400.0), epsg=UTM10)
         raster = Program.gdal.Open(self.dem)
@@ -194,7 +195,7 @@ class Options(ToolTest):
                       LAMP: "503600,5103200,9000,1000"}
 
     def arguments(self, command, further, option):
-        """The words of a command, its own defaults replaced where `further` or `option` name them."""
+        """The words of a command. Its defaults are replaced if `further` or `option` contain them."""
         words = [self.words.get(word, word) for word in further if word != "-"]
         option = [self.words.get(word, word) for word in option]
         if "-" in further:
@@ -214,7 +215,7 @@ class Options(ToolTest):
         return [command, self.dem, *output, *usual, *words, *option]
 
     def result(self, command, further, option):
-        """Bytes of the file, or what is printed."""
+        """The bytes of the file, or of the output."""
         done = self.run_program(*self.arguments(command, further, option))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.stderr, "")
@@ -228,7 +229,7 @@ class Options(ToolTest):
         for command, lines in ACTS.items():
             for option, *further in lines:
                 with self.subTest(command=command, option=option, further=further):
-                    # Against the same command without the option, or with its default.
+                    # Compared with the same command without the option, or with its default value.
                     base = tuple(self.arguments(command, further, []))
                     if base not in without:
                         without[base] = self.result(command, further, [])
@@ -244,7 +245,7 @@ class Options(ToolTest):
             self.assertEqual(offered - known, set(), command)
 
     def usage(self, says, option, *arguments):
-        """Exit 2 and one line that names the option once, and the command whose help tells more."""
+        """Exit 2, and one line that names the option once and the command with further help."""
         line = self.refused(2, *arguments, says=says)
         reason, see = line.rsplit(" (see ", 1)
         self.assertEqual(see, f"skyline {arguments[0]} --help)")
@@ -345,7 +346,8 @@ class Options(ToolTest):
 
 
 class Doubts(ToolTest):
-    """What only the data make idle, or doubtful, is said and used."""
+    """Options that have no effect because of the data, and doubtful values, cause a warning and are
+    used."""
 
     def warns(self, says, *arguments):
         done = self.run_program(*arguments)
@@ -397,7 +399,7 @@ class Doubts(ToolTest):
                    "shadow-height", dem, "-o", self.path("out.tif"), "--method", "fast")
 
     def test_turns_of_any_number(self):
-        # 1e20 degrees are 1e20 mod 360 = 280, exactly.
+        # 1e20 degrees are exactly 280 modulo 360.
         dem = make(self.path("dem.tif"), hills(5, 6), epsg=UTM10)
         sky = ["--environment", os.path.join(Program.DATA, "light-maps", "sunset_128.hdr")]
         for turn, out in [("1e20", "a.tif"), ("280", "b.tif")]:

@@ -6,13 +6,13 @@ import shutil
 import Program
 from Program import ToolTest, gdal, hills, make, np
 
-# libglvnd reads its drivers from here: none at all.
+# libglvnd looks for its drivers here; the folder is empty.
 NO_EGL = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"}
 SIZE = (120, 200)  # rows, columns
 
 
 def environment(**changes):
-    """The test's own, without a display."""
+    """The environment of the test, without a display."""
     kept = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
     kept.update(changes)
     return kept
@@ -29,7 +29,7 @@ class Perspective(ToolTest):
         return np.moveaxis(gdal.Open(self.path(out)).ReadAsArray(), 0, -1).astype(int)
 
     def terrain_of(self, picture):
-        """Where the picture is not sky, whose rows have one colour each."""
+        """The pixels that are not sky. Each row of the sky has one colour."""
         self.assertTrue(np.array_equal(picture[:, 0], picture[:, -1]), "sky at both sides")
         return np.any(picture != picture[:, :1], axis=-1)
 
@@ -54,7 +54,8 @@ class Perspective(ToolTest):
         self.assertLessEqual(np.abs(picture[SIZE[0] // 2, SIZE[1] // 2] - color).max(), 1)
 
     def test_shadows_and_sides(self):
-        # A tent seen from the south with the sun in the west: left bright, right dark.
+        # A ridge seen from the south with the sun in the west: its left side is bright, its right
+        # side dark.
         y, x = np.mgrid[0:41, 0:41]
         tent = make(self.path("dem.tif"), 200.0 - 10.0 * np.abs(x - 20.0) + 0.0 * y)
         picture = self.draw(tent, "--sun", "270,25", "--colors", "gray")
@@ -68,7 +69,7 @@ class Perspective(ToolTest):
         heights[30:, :15] = 200.0  # a block in the north-west
         dem = make(self.path("dem.tif"), heights)
         seen = self.terrain_of(self.draw(dem))
-        top = np.argmax(seen, axis=0)  # the first row with terrain, column by column
+        top = np.argmax(seen, axis=0)  # the first row with terrain in each column
         left = top[SIZE[1] // 2 - 30]
         right = top[SIZE[1] // 2 + 30]
         self.assertLess(left, right - 3)
@@ -142,7 +143,7 @@ class Perspective(ToolTest):
             env=environment(**NO_EGL), check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         drawn = np.moveaxis(gdal.Open(self.path("x.png")).ReadAsArray(), 0, -1).astype(int)
-        # The same driver behind another window: rounding alone may differ.
+        # The same driver with another window: only rounding may differ.
         self.assertLessEqual(np.abs(drawn - without).max(), 2)
 
 

@@ -9,7 +9,7 @@ LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 
 
 def pixels(path):
-    """Channels as (row, column, channel), row 0 = south, whatever the file."""
+    """Channels as (row, column, channel). Row 0 is the south for all formats."""
     return np.moveaxis(gdal.Open(path).ReadAsArray(), 0, -1)[::-1]
 
 
@@ -29,7 +29,7 @@ class Shade(ToolTest):
         self.assertEqual(picture.dtype, np.uint8)
         self.assertTrue(np.array_equal(picture[..., 3] == 0, np.isnan(heights)))
         shown = self.brightness(picture)[~np.isnan(heights)]
-        # Neither burnt out nor black, and with the contrast of a picture.
+        # The picture is neither too bright nor too dark, and has contrast.
         self.assertLess(picture[..., :3].max(), 255)
         self.assertGreater(shown.min(), 10)
         self.assertTrue(90 < np.median(shown) < 200, np.median(shown))
@@ -49,7 +49,7 @@ class Shade(ToolTest):
         self.assertTrue(np.all(np.diff(mean) > 5.0), mean)
 
     def test_shadows_are_darker(self):
-        # The plain beside a wall: in the shadow and out of it the same colour and slope.
+        # The plain beside a wall: the colour and the slope in the shadow and outside are the same.
         heights = np.zeros((21, 61))
         heights[:, 0] = 100.0
         dem = make(self.path("dem.tif"), heights, step=(10.0, 10.0))
@@ -70,8 +70,8 @@ class Shade(ToolTest):
         self.assertGreater(west[0] / west[2], 1.02 * east[0] / east[2])
 
     def test_overcast_sky(self):
-        # In a trench the horizon cuts off the darker part of an overcast sky: relative to open
-        # ground the trench is brighter than under a uniform one.
+        # In a trench, the horizon hides the darker part of an overcast sky. Relative to open
+        # ground, the trench is brighter than under a uniform sky.
         heights = np.zeros((41, 41))
         heights[:, 18:23] = -60.0
         dem = make(self.path("dem.tif"), heights)

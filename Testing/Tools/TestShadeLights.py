@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""skyline shade under the lights of skyline irradiance."""
+"""skyline shade with the lights of skyline irradiance."""
 import os
 import sys
 
@@ -16,7 +16,7 @@ class ShadeLights(ToolTest):
         return [line.split("  ")[0] for line in done.stderr.splitlines()]
 
     def picture(self, *options):
-        """Linear sRGB bytes of a map picture as (bands, rows, columns)."""
+        """The linear values of the sRGB bytes of a map, as (bands, rows, columns)."""
         self.succeed("shade", self.dem, "-o", self.path("out.tif"), "--exposure", "0", *options)
         return gdal.Open(self.path("out.tif")).ReadAsArray().astype(float)
 
@@ -54,7 +54,8 @@ class ShadeLights(ToolTest):
         self.assertLessEqual(np.abs(straight - again)[:3].max(), 1.0)
 
     def test_irradiance_is_what_is_shown(self):
-        # The same light makes the same picture: a clear sky brightens slopes to its sun.
+        # The same light makes the same picture: a clear sky makes slopes that face the sun
+        # brighter.
         self.succeed("irradiance", self.dem, "-o", self.path("light.tif"), "--environment",
                      "perez:900,80", "--sun", "200,30")
         light = read(self.path("light.tif"))[1]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""skyline shadow-height: the height of the terrain's shadow over every post."""
+"""skyline shadow-height: the height of the shadow of the terrain above each post."""
 import os
 import sys
 

@@ -7,7 +7,8 @@ from Program import UTM10, ToolTest, gdal, hills, make, np, read
 
 QUANTITIES = ["SkyViewFactor", "SkyViewFactorHorizontal", "VisibleSkyFraction", "PositiveOpenness"]
 
-# 72 azimuths over a horizon with kinks where the plane crosses the level: about 1 / 72^2 of it.
+# 72 azimuths over a horizon with kinks where the plane crosses the horizontal: a relative error of
+# about 1 / 72^2.
 FACTOR_TOLERANCE = 5e-4
 ANGLE_TOLERANCE = 0.02
 
@@ -64,7 +65,7 @@ class SkyView(ToolTest):
         self.assertLess(np.abs(inner - 90.0).max(), ANGLE_TOLERANCE)
 
     def test_inclined_plane(self):
-        # A plane of inclination b hides a lune of angle b of the upper hemisphere.
+        # A plane with the inclination b hides a lune with the angle b of the upper hemisphere.
         slope = 0.5
         _, x = np.mgrid[0:20, 0:25] * 30.0
         sky = self.sky_view(make(self.path("dem.tif"), slope * x))
@@ -77,7 +78,7 @@ class SkyView(ToolTest):
         for name, value in expected.items():
             inner = sky[name][1:-1, 1:-1]
             self.assertLess(np.abs(inner - value).max(), FACTOR_TOLERANCE, name)
-        # Openness counts the horizon below the level too: up and down cancel.
+        # Openness includes horizons below the horizontal: the upward and downward parts cancel.
         self.assertLess(
             np.abs(sky["PositiveOpenness"][1:-1, 1:-1] - 90.0).max(), ANGLE_TOLERANCE)
 
@@ -89,7 +90,7 @@ class SkyView(ToolTest):
             self.assertTrue(np.array_equal(np.isnan(values), np.isnan(heights)), name)
             top = 180.0 if name == "PositiveOpenness" else 1.0 + 1e-6
             self.assertTrue(np.nanmin(values) > 0.0 and np.nanmax(values) <= top, name)
-        # The crater sees much less than the plains.
+        # The crater sees much less of the sky than the plains.
         self.assertLess(np.nanmin(sky["SkyViewFactorHorizontal"]), 0.75)
 
     def test_methods(self):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sources on the command line: the options that widen what a file may lead to, and pipes.
+"""Sources on the command line: the options that allow files to refer to other places, and pipes.
 
 Testing/Python/TestUntrusted.py has the table of hostile files.
 """
@@ -48,10 +48,10 @@ class Allowed(ToolTest):
                 with open(path, "w") as file:
                     file.write(text.replace("<GeoTransform>", f"<SRS>{srs}</SRS><GeoTransform>"))
                 self.refused(1, "sun", path, "--allow-elsewhere", says="cannot use")
-        # Without its database PROJ makes something else of the CRS of a GeoTIFF.
+        # Without its database, PROJ gives the CRS of a GeoTIFF another meaning.
         nowhere = dict(os.environ, PROJ_DATA="/nonexistent", PROJ_LIB="/nonexistent")
         self.refused(1, "sun", self.path("tile.tif"), says="proj.db", env=nowhere)
-        # A code in GeoKeys that nobody knows: 32999 in place of 32610.
+        # An unknown code in the GeoKeys: 32999 instead of 32610.
         with open(self.path("tile.tif"), "rb") as file:
             content = file.read()
         keys = struct.pack("<4H", 3072, 0, 1, UTM10)
@@ -59,7 +59,7 @@ class Allowed(ToolTest):
         with open(self.path("mine/keys.tif"), "wb") as file:
             file.write(content.replace(keys, struct.pack("<4H", 3072, 0, 1, 32999)))
         self.refused(1, "sun", self.path("mine/keys.tif"), says="crs not found")
-        # An .asc takes its CRS from a .prj, and a .tif does not.
+        # An .asc file takes its CRS from a .prj file, a .tif file does not.
         with open(self.path("mine/grid.asc"), "w") as file:
             file.write("ncols 2\nnrows 2\nxllcorner 7\nyllcorner 46\ncellsize 0.001\n1 2\n3 4\n")
         with open(self.path("mine/grid.prj"), "w") as file:
@@ -80,7 +80,7 @@ class Allowed(ToolTest):
 class Streams(ToolTest):
     def setUp(self):
         super().setUp()
-        # Beyond the megabyte that GDAL keeps of standard input.
+        # Larger than the megabyte of standard input that GDAL stores.
         self.dem = make(self.path("dem.tif"), hills(500, 600), epsg=UTM10)
 
     def test_standard_input(self):
@@ -110,11 +110,11 @@ class Streams(ToolTest):
         self.refused(1, "sun", self.path("pipe.tif"), says="no program wrote")
         waiting = subprocess.Popen([Program.PROGRAM, "sun", self.path("pipe.tif")],
                                    stderr=subprocess.PIPE)
-        time.sleep(1.0)  # until it waits
+        time.sleep(1.0)  # until the program waits
         waiting.send_signal(signal.SIGINT)
         begin = time.monotonic()
         waiting.communicate(timeout=60)
-        self.assertLess(time.monotonic() - begin, 5.0)  # 0.1 s on a machine that is not busy
+        self.assertLess(time.monotonic() - begin, 5.0)  # 0.1 s on an idle machine
         self.assertNotEqual(waiting.returncode, 0)
         self.refused(1, "irradiance", self.dem, "--environment", self.path("pipe.tif"), "-o",
                      self.path("out.tif"), says="pipe")

@@ -11,7 +11,7 @@ POSITION_TOLERANCE = 3e-4
 
 class Position(ToolTest):
     def position(self, *arguments):
-        """The printed `name: value unit` lines as a dictionary."""
+        """The printed lines `name: value unit` as a dictionary."""
         values = {}
         for line in self.succeed("sun", *arguments).stdout.splitlines():
             name, text = line.split(": ")
@@ -26,8 +26,8 @@ class Position(ToolTest):
 
     def test_nrel_worked_example(self):
         # Reda and Andreas, NREL/TP-560-34302, appendix A.5: 2003-10-17 12:30:30 at UTC-7, 39.742476
-        # north, 105.1786 west, 1830.14 m; azimuth 194.34024, zenith 50.11162 after a refraction of
-        # 0.01633 degrees.
+        # north, 105.1786 west, 1830.14 m. Azimuth 194.34024, zenith angle 50.11162 after a
+        # refraction of 0.01633 degrees.
         step = 0.001
         dem = make(self.path("dem.tif"), np.full((3, 3), 1830.14), step=(step, step),
                    corner=(-105.1786 - 1.5 * step, 39.742476 - 1.5 * step), epsg=4326)
@@ -35,9 +35,10 @@ class Position(ToolTest):
         self.assertAlmostEqual(sun["azimuth"], 194.34024, delta=POSITION_TOLERANCE)
         self.assertAlmostEqual(sun["elevation"], 90.0 - 50.11162 - 0.01633,
                                delta=POSITION_TOLERANCE)
-        # Its air, 820 hPa and 11 C, bends 3 % less than the standard atmosphere's at that height.
+        # The air of the example, 820 hPa and 11 C, has 3 % less refraction than the standard
+        # atmosphere at this height.
         self.assertAlmostEqual(sun["refracted elevation"], 90.0 - 50.11162, delta=0.001)
-        # 0.99654 astronomical units away.
+        # At a distance of 0.99654 astronomical units.
         self.assertAlmostEqual(sun["angular radius"], 0.26645 / 0.99654, delta=1e-3)
         self.assertAlmostEqual(sun["grid azimuth"], sun["azimuth"], delta=1e-3)
         self.assertAlmostEqual(sun["longitude"], -105.1786, delta=1e-5)
@@ -59,7 +60,8 @@ class Position(ToolTest):
             self.assertEqual(self.position(dem, "--time", same), utc)
 
     def test_grid_north_is_turned_by_the_convergence(self):
-        # 2 degrees east of UTM's central meridian at 46 north: convergence 2 sin 46 = 1.44 degrees.
+        # 2 degrees east of the central meridian of UTM at 46 degrees north: convergence 2 sin 46 =
+        # 1.44 degrees.
         x, y = 654800.0, 5095500.0
         dem = make(self.path("dem.tif"), hills(21, 21), corner=(x, y), epsg=UTM10)
         sun = self.position(dem, "--time", "2026-06-21T16:00Z")
@@ -92,7 +94,7 @@ class Position(ToolTest):
             self.assertEqual(self.position(dem, "--sun", azimuth + ",10")["azimuth"], wrapped)
 
     def test_an_eclipse_is_told(self):
-        # Burgos, 2026-08-12: total from 18:28:19 to 18:30:03 UTC.
+        # Burgos on 2026-08-12: total from 18:28:19 to 18:30:03 UTC.
         dem = make(self.path("dem.tif"), np.full((5, 5), 860.0), step=(0.01, 0.01),
                    corner=(-3.725, 42.315), epsg=4326)
         sun = ["sun", dem, "--time"]
@@ -106,8 +108,8 @@ class Position(ToolTest):
         self.assertRegex(partial[0], r"^eclipse obscuration: 3\d\.\d\d percent$")
         self.assertRegex(partial[1], r"^eclipse magnitude: 0\.4\d\d\d diameter$")
         for none in ["2026-08-12T17:00Z", "2026-08-11T18:29Z", "2026-02-17T12:12Z"]:
-            self.assertEqual(told(none), [])  # the last: a ring over Antarctica
-        # At the antipode the sun of totality has set.
+            self.assertEqual(told(none), [])  # the last time: an annular eclipse over Antarctica
+        # At the antipode of the total eclipse the sun has set.
         dem = make(self.path("far.tif"), np.full((5, 5), 0.0), step=(0.01, 0.01),
                    corner=(176.3, -42.3), epsg=4326)
         self.assertNotIn("eclipse", self.succeed("sun", dem, "--time", "2026-08-12T18:29Z").stdout)
@@ -122,14 +124,15 @@ class Position(ToolTest):
 
     def test_only_the_middle_of_a_large_file_is_read(self):
         self.skip_if_sanitized()
-        # 30000 x 30000 posts of a sparse file: reading all takes seconds and gigabytes.
+        # 30000 x 30000 posts of a sparse file: reading all of them would take seconds and
+        # gigabytes.
         raster = gdal.GetDriverByName("GTiff").Create(
             self.path("large.tif"), 30000, 30000, 1, gdal.GDT_Float64,
             ["SPARSE_OK=TRUE", "TILED=YES"])
         raster.SetGeoTransform((0.0, 1.0, 0.0, 30000.0, 0.0, -1.0))
         raster = None
 
-        # The heights alone would be 7.2e9 bytes.
+        # The heights alone would take 7.2e9 bytes.
         done = self.run_program(
             "sun", self.path("large.tif"), preexec_fn=Program.limit_memory(4 << 30))
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -156,7 +159,8 @@ class Visibility(ToolTest):
         self.assertTrue(np.nanmin(values) >= 0.0 and np.nanmax(values) <= 1.0)
 
     def test_shadow_of_a_wall(self):
-        # A wall of 100 m in the west, the sun there at 30 degrees: shadow to 173.2 m.
+        # A wall of 100 m in the west, and the sun in the west at 30 degrees: the shadow extends to
+        # 173.2 m.
         heights = np.zeros((21, 61))
         heights[:, 0] = 100.0
         dem = make(self.path("dem.tif"), heights, step=(10.0, 10.0))
@@ -176,7 +180,8 @@ class Visibility(ToolTest):
             lit = self.visibility(dem, "--sun", "270,45", "--sun-radius", radius)[30]
             widths.append(int(np.count_nonzero((lit > 0.0) & (lit < 1.0))))
             self.assertTrue(np.all(np.diff(lit[1:]) >= 0.0))
-        # d tan(elevation) = 100 m: the shadow's edge moves 200 m a radian, over the diameter.
+        # d tan(elevation) = 100 m: the edge of the shadow moves by 200 m per radian, over the
+        # diameter of the sun.
         self.assertLessEqual(widths[0], 1)
         self.assertAlmostEqual(widths[1], 200.0 * np.radians(2 * 0.26645), delta=1.5)
         self.assertAlmostEqual(widths[2], 200.0 * np.radians(2 * 2.0), delta=2.0)
@@ -194,13 +199,14 @@ class Visibility(ToolTest):
 
     def test_sun_under_and_over_everything(self):
         dem = make(self.path("dem.tif"), np.full((15, 14), 80.0))
-        # At the edge no terrain lies beyond, and nothing hides even that sun.
+        # At the edge there is no terrain beyond, so nothing hides even this sun.
         under = self.visibility(dem, "--sun", "120,-30")
         self.assertEqual(np.max(under[1:-1, 1:-1]), 0.0)
         self.assertEqual(np.min(self.visibility(dem, "--sun", "120,90")), 1.0)
 
     def test_an_eclipse_dims_every_post_by_its_own_share(self):
-        # 5 degrees from west to east, 400 km; the ends as the position printed at both places has them.
+        # 5 degrees from west to east, 400 km. At both ends the values must be the positions that
+        # the program prints there.
         def level(name, west, columns):
             return make(self.path(name), np.full((9, columns), 860.0), step=(0.1, 0.1),
                         corner=(west, 41.9), epsg=4326)
@@ -214,7 +220,7 @@ class Visibility(ToolTest):
             covered = float(line.split("obscuration: ")[1].split()[0]) / 100.0
             self.assertAlmostEqual(lit[4, column], 1.0 - covered, delta=2e-4)
         self.assertGreater(abs(lit[4, -1] - lit[4, 0]), 0.004)
-        # A few minutes after first contact the Moon covers the dim limb alone.
+        # A few minutes after first contact, the Moon covers only the limb, which is darker.
         time = ["--time", "2026-08-12T17:40Z"]
         self.succeed("sun", dem, *time, "-o", self.path("out.tif"))
         self.succeed("sun", dem, *time, "--limb-darkening", "-o", self.path("dark.tif"))
@@ -232,7 +238,8 @@ class Visibility(ToolTest):
             dem, "--sun", direction, "--sun-radius", values["angular radius"], out="sun.tif")
         shadow = np.nanmean(by_time < 0.5)
         self.assertTrue(0.01 < shadow < 0.9)
-        # 10 by 14 km: the sun's azimuth turns by 0.1 degrees, a penumbra by a post or two.
+        # 10 by 14 km: the azimuth of the sun changes by 0.1 degrees, and a penumbra by one or two
+        # posts.
         self.assertLess(np.nanmean(np.abs(by_time - by_direction)), 0.005)
 
     def test_threads_change_nothing(self):

@@ -43,7 +43,8 @@ class Usage(ToolTest):
         self.assertRegex(text, re.compile(r"^skyline \d+\.\d+\.\d+\n$"))
 
     def test_images_are_no_part_of_the_start(self):
-        # OpenImageIO brings as many libraries as all the rest: SkylineIO loads it with the first image.
+        # OpenImageIO loads as many libraries as everything else together. SkylineIO loads it with
+        # the first image.
         linked = subprocess.run(["ldd", Program.PROGRAM], capture_output=True, text=True, check=True)
         self.assertIn("libSkylineIO", linked.stdout)
         self.assertNotIn("OpenImageIO", linked.stdout)
@@ -95,7 +96,7 @@ class Usage(ToolTest):
             done = subprocess.run(
                 [Program.PROGRAM, "horizon", self.dem, "-o", self.path("out.tif"), *options],
                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=terminal, timeout=300)
-            os.write(terminal, b"end")  # tells where to stop reading
+            os.write(terminal, b"end")  # marks the end of the output
             text = ""
             while not text.endswith("end"):
                 text += os.read(master, 65536).decode()
@@ -104,7 +105,7 @@ class Usage(ToolTest):
             self.assertEqual((done.returncode, done.stdout), (0, b""))
             self.assertEqual("horizon" in text and "%" in text, shown, text)
             self.assertNotIn("\n", text)
-            # The bar is wiped out when its pass is done.
+            # The progress bar is erased when its pass has ended.
             self.assertTrue(not shown or text.endswith("\r\x1b[Kend"), repr(text))
 
     def test_negative_numbers_are_values(self):

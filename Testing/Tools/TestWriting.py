@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How results are written: no source is destroyed, nothing is left over, links and rights as usual."""
+"""How results are written: no source is destroyed, no file is left over, links and permissions are kept."""
 import errno
 import fcntl
 import gzip
@@ -14,8 +14,8 @@ import zipfile
 import Program
 from Program import ToolTest, UTM10, gdal, hills, make, np
 
-# Seconds in which a signal must end the program: the patience of Tools/Interrupt.h is half a second,
-# the rest is for a loaded machine.
+# Seconds in which a signal must end the program: half a second is the delay of Tools/Interrupt.h,
+# the rest is for a busy machine.
 SOON = 10.0
 
 
@@ -87,10 +87,11 @@ class Sources(WritingTest):
             self.kept("dem.tif", file.read(), "dem.tif")
 
     def test_side_files(self):
-        # The header of the raster `flat` has no extension that betrays it.
+        # The raster `flat` has a header file without an extension that reveals its format.
         gdal.Translate(self.path("flat"), self.path("dem.tif"), format="ENVI")
         self.kept("flat.hdr", "flat", "flat.hdr")
-        # A new out.tif removes the overviews beside the old one; here they are a DEM of their own.
+        # A new out.tif removes the overviews beside the old one. Here the file of that name is a
+        # DEM itself.
         shutil.copy(self.path("dem.tif"), self.path("out.tif.ovr"))
         shutil.copy(self.path("dem.tif"), self.path("out.tif"))
         self.kept("out.tif.ovr", "out.tif.ovr", "out.tif")
@@ -193,10 +194,10 @@ class Leftovers(WritingTest):
             return 0
 
     def begin_writing(self):
-        """A process that holds a temporary in the folder: it is writing."""
+        """A process that has a temporary file in the folder, because it is writing."""
         running = self.start("horizon", "big.tif", "-o", "out.tif", "--azimuths", "360")
         end = time.monotonic() + 60
-        # The first temporary only tries the place; the one with bytes is the file on its way.
+        # The first temporary file is only a test of the folder. The one with content is the output.
         while not any(self.size_of(name) for name in self.temporaries()):
             self.assertIsNone(running.poll(), "it was finished before it was seen")
             self.assertLess(time.monotonic(), end)
@@ -209,7 +210,7 @@ class Leftovers(WritingTest):
         running.send_signal(signal.SIGKILL)
         running.communicate()
         self.assertNotEqual(self.temporaries(), [])
-        # A file of the same kind that some process holds.
+        # A file of the same type that another process holds.
         living = self.path(".skyline-held-1-1.part.tif")
         with open(living, "w") as held:
             fcntl.flock(held, fcntl.LOCK_EX)
@@ -273,7 +274,7 @@ class Threads(WritingTest):
                 ("shade", "e.tif", "--azimuths", "8")]
 
         def limited(first):
-            """Of the threads that the program starts, that with this number and all later ones fail."""
+            """Makes this thread of those that the program starts, and all later ones, fail."""
             return dict(os.environ, LD_PRELOAD=preload, SKYLINE_FAULT_CALL="thread",
                         SKYLINE_FAULT_NUMBER=str(first), SKYLINE_FAULT_ERROR=str(errno.EAGAIN),
                         SKYLINE_FAULT_LASTING="1")
@@ -287,8 +288,8 @@ class Threads(WritingTest):
                     before = self.files()
                     done = self.run_program(command, "dem.tif", "-o", out, *options, "--threads", "4",
                                             env=limited(first))
-                    # The program first tries how many threads there are, one thread for each processor.
-                    # What was there then, and is refused to TBB, ends the run.
+                    # The program first tries to start one thread per processor. If TBB then fails
+                    # to start a thread that existed in this test, the run ends.
                     if first > 1 and done.returncode == 1:
                         self.assertIn(os.strerror(errno.EAGAIN), done.stderr)
                         self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)

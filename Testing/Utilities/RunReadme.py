@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the commands and the Python of the README as they stand there.
+"""Runs the commands and the Python code of the README as they are written there.
 
 RunReadme.py SOURCE PROGRAM OUTPUT PYTHONPATH
 """

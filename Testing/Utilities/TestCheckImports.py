@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Utilities/check-imports finds each kind of offence, one at a time, and nothing in clean folders."""
+"""Utilities/check-imports must find each type of violation, one at a time, and none in correct folders."""
 
 import re
 import subprocess
@@ -23,7 +23,7 @@ FOLDERS = re.findall(r'^    "([A-Za-z/]+)": ', RULES, re.MULTILINE)
 
 class TestCheckImports(unittest.TestCase):
     def check(self, folder, text, program=CHECK):
-        """Exit status and output for a tree where one source of a folder has this text."""
+        """Exit status and output for a tree in which one source file of a folder has this text."""
         with tempfile.TemporaryDirectory() as scratch:
             root = Path(scratch)
             for name in FOLDERS:

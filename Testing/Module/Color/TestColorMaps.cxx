@@ -23,7 +23,7 @@ TEST(ColorMaps, EveryMapIsFoundByItsName)
   EXPECT_EQ(skyline::ColorMaps()[0].Name, "hypsometric");
 }
 
-// A map that only ever grows lighter reads the same to every kind of colour vision.
+// A map whose lightness only increases looks the same to people with any type of colour vision.
 TEST(ColorMaps, LightnessRisesWithHeight)
 {
   for (const skyline::ColorMap& map : skyline::ColorMaps())
@@ -76,7 +76,7 @@ TEST(ColorMaps, PlacesOfHeights)
   EXPECT_NEAR(skyline::PlaceOnMap(land, 1500.0, 1000.0, 2000.0), 0.5, RoundTolerance);
   EXPECT_EQ(skyline::PlaceOnMap(land, 0.0, 1000.0, 2000.0), 0.0);
   EXPECT_EQ(skyline::PlaceOnMap(land, 9000.0, 1000.0, 2000.0), 1.0);
-  // A flat field has one colour, and a defined one.
+  // A flat field has one colour, which is defined.
   EXPECT_EQ(skyline::PlaceOnMap(land, 7.0, 7.0, 7.0), 0.5);
 
   const skyline::ColorMap& sea = *skyline::FindColorMap("ocean");

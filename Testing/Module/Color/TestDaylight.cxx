@@ -11,7 +11,7 @@ namespace
 constexpr double Pi = 3.14159265358979;
 constexpr double Tolerance = 1e-5; // floats, a dozen operations
 
-// Kasten and Young 1989, table II: 1 at the zenith, about 38 at the horizon.
+// Kasten and Young (1989), table II: 1 at the zenith, about 38 at the horizon.
 TEST(Daylight, AirMass)
 {
   EXPECT_NEAR(skyline::AirMass(90.0), 1.0, 5e-4);
@@ -21,7 +21,7 @@ TEST(Daylight, AirMass)
   EXPECT_EQ(skyline::AirMass(-5.0), skyline::AirMass(0.0));
 }
 
-// The camera is set for level open ground: its irradiance is near pi in every light.
+// The exposure is set for level open ground, whose irradiance is near pi in each light.
 TEST(Daylight, LevelGroundHasIrradiancePi)
 {
   for (bool air : { true, false })
@@ -37,7 +37,7 @@ TEST(Daylight, LevelGroundHasIrradiancePi)
         EXPECT_TRUE(std::isfinite(light.SkyRadiance[c]) && light.SkyRadiance[c] > 0.0f);
         ground[c] = static_cast<float>(light.SunIrradiance[c] * height + Pi * light.SkyRadiance[c]);
       }
-      // The kept quarter of the cast moves luminance by a few per cent.
+      // The quarter of the colour cast that is kept changes luminance by a few percent.
       EXPECT_NEAR(skyline::Luminance(ground), Pi, 0.05 * Pi) << elevation;
     }
   }

@@ -11,14 +11,14 @@ using skyline::Rgb;
 namespace
 {
 
-// A few roundings of a float near 1.
+// The error of a few roundings of a float near 1.
 constexpr float FloatTolerance = 1e-6f;
 
 TEST(ToneMap, CurveSpreadsLightAroundGrey)
 {
   EXPECT_EQ(skyline::ToneCurve(0.0f), 0.0f);
   EXPECT_NEAR(skyline::ToneCurve(skyline::ToneGrey), skyline::ToneGrey, FloatTolerance);
-  // Half the light is 2^-1.3 = 0.406126 of the luminance.
+  // Half the light has 2^-1.3 = 0.406126 of the luminance.
   EXPECT_NEAR(
     skyline::ToneCurve(0.5f * skyline::ToneGrey), 0.406126f * skyline::ToneGrey, FloatTolerance);
 }
@@ -32,7 +32,7 @@ TEST(ToneMap, CurveIsSmoothAtTheKnee)
   const double below = at - skyline::ToneCurve(static_cast<float>(knee - step));
   const double above = skyline::ToneCurve(static_cast<float>(knee + step)) - at;
   EXPECT_NEAR(at, skyline::ToneKnee, FloatTolerance);
-  // Slopes of 1.6 on both sides; a step bends them by up to 6 %.
+  // The slope is 1.6 on both sides; within a step it changes by up to 6 %.
   EXPECT_NEAR(below, 1.3 * 0.5 / knee * step, 2e-4);
   EXPECT_NEAR(above, below, 1e-3);
 }
@@ -91,7 +91,7 @@ TEST(ToneMap, ColoursKeepTheirLuminanceAndTheirOrder)
         EXPECT_GE(tone[c], 0.0f);
         for (std::size_t k = 0; k < 3; ++k)
         {
-          EXPECT_TRUE(hue[c] < hue[k] || tone[c] >= tone[k]) << "channels changed their order";
+          EXPECT_TRUE(hue[c] < hue[k] || tone[c] >= tone[k]) << "the order of the channels changed";
         }
       }
     }

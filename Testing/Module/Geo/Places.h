@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Height fields on maps that GeographicLib makes, for tests.
+// Height fields on maps that GeographicLib computes, for tests.
 #ifndef skyline_Places_h
 #define skyline_Places_h
 
@@ -20,10 +20,10 @@ namespace skyline
 constexpr double WgsRadius = 6378137.0;
 constexpr double WgsFlattening = 1.0 / 298.257223563;
 
-/// From map coordinates to longitude and latitude.
+/// Converts map coordinates to longitude and latitude.
 using MapInverse = std::function<void(double x, double y, double& longitude, double& latitude)>;
 
-/// A raster whose south-west post is at (x, y) of a map.
+/// A raster whose south-western post is at (x, y) of a map.
 inline Georeference OnMap(const MapInverse& inverse, double x, double y, double stepX, double stepY,
   std::ptrdiff_t columns, std::ptrdiff_t rows, int nodes = DefaultLatticeNodes)
 {
@@ -45,7 +45,7 @@ inline Georeference OnMap(const MapInverse& inverse, double x, double y, double 
       double longitude = 0.0, latitude = 0.0;
       inverse(x + stepX * static_cast<double>(columns - 1) * i / (nodes - 1),
         y + stepY * static_cast<double>(rows - 1) * j / (nodes - 1), longitude, latitude);
-      // Continuous along the row, as readers promise.
+      // Without a jump along the row, as in the output of readers.
       if (i > 0)
       {
         longitude += 360.0 * std::round((place.Longitude.back() - longitude) / 360.0);
@@ -63,14 +63,14 @@ inline void Geographic(double x, double y, double& longitude, double& latitude)
   latitude = y;
 }
 
-/// UTM without its false easting: x from the meridian `longitude0`, y from the equator.
+/// UTM without its false easting: x is measured from the meridian `longitude0`, y from the equator.
 inline MapInverse Utm(double longitude0)
 {
   return [longitude0](double x, double y, double& longitude, double& latitude)
   { GeographicLib::TransverseMercator::UTM().Reverse(longitude0, x, y, latitude, longitude); };
 }
 
-/// Albers of the conterminous United States (EPSG 5070 with latitude of origin 37.5).
+/// The Albers map of the conterminous United States (EPSG:5070 with latitude of origin 37.5).
 inline const GeographicLib::AlbersEqualArea& Conus()
 {
   static const GeographicLib::AlbersEqualArea map(WgsRadius, WgsFlattening, 29.5, 45.5, 1.0);
@@ -105,7 +105,7 @@ inline double WebMercatorY(double latitude)
   return WgsRadius * std::asinh(std::tan(latitude * RadiansPerDegree));
 }
 
-/// Difference of two azimuths, -180 to 180.
+/// The difference of two azimuths, -180 to 180 degrees.
 inline double Turn(double a, double b)
 {
   return std::remainder(a - b, 360.0);

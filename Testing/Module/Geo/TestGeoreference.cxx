@@ -17,8 +17,8 @@ using namespace skyline;
 namespace
 {
 
-/// DefaultLatticeNodes promises 0.1 (s / 32)^3 radians of place and 0.3 (s / 32)^2 of direction for
-/// a side of s radians; maps bend a little more than spheres.
+/// DefaultLatticeNodes has errors of at most 0.1 (s / 32)^3 radians in position and 0.3 (s / 32)^2
+/// in direction for a side of s radians. Maps curve slightly more than spheres.
 double PlaceTolerance(double side)
 {
   return 0.2 * std::pow(side / WgsRadius / 32.0, 3) * DegreesPerRadian + 1e-12;
@@ -28,10 +28,10 @@ double DirectionTolerance(double side)
   return 0.6 * std::pow(side / WgsRadius / 32.0, 2) * DegreesPerRadian + 1e-9;
 }
 
-/// Map coordinates of a longitude and latitude.
+/// Converts longitude and latitude to map coordinates.
 using MapForward = std::function<void(double longitude, double latitude, double& x, double& y)>;
 
-/// Azimuth on the map of ten metres walked in a true azimuth: by geodesic and by the map itself.
+/// The azimuth on the map of a walk of ten metres in a true azimuth, from the geodesic and the map.
 double WalkedAzimuth(
   const MapForward& forward, double longitude, double latitude, double trueAzimuth)
 {
@@ -45,14 +45,15 @@ double WalkedAzimuth(
   }
   return std::atan2(x[1] - x[0], y[1] - y[0]) * DegreesPerRadian;
 }
-/// Ten metres are given to nanometres (maps and geodesics), 1e-9 / 10 radians; and they bend.
+/// Maps and geodesics have errors of nanometres, 1e-9 / 10 radians over ten metres. The walk is
+/// also curved.
 constexpr double WalkTolerance = 1e-6;
 
 } // namespace
 
 TEST(Georeference, GeographicLatticeIsExact)
 {
-  // Sixty degrees, over the antimeridian, with two nodes and with many.
+  // Sixty degrees, across the antimeridian, with two nodes and with many.
   for (const int nodes : { 2, 3, DefaultLatticeNodes })
   {
     const Georeference place = OnMap(Geographic, 150.0, -30.0, 0.01, 0.02, 6001, 3001, nodes);
@@ -73,7 +74,7 @@ TEST(Georeference, GeographicLatticeIsExact)
 
 TEST(Georeference, UtmAgreesWithGeographicLib)
 {
-  // 100 km and 600 km wide (the whole zone at 60 degrees south).
+  // 100 km and 600 km wide (the width of the zone at 60 degrees south).
   for (const double side : { 1e5, 6e5 })
   {
     const double step = side / 1000.0, x0 = -0.4 * side, y0 = -6.6e6;
@@ -102,8 +103,8 @@ TEST(Georeference, UtmAgreesWithGeographicLib)
 
 TEST(Georeference, ConvergenceIsPositiveWhereGridNorthPointsEast)
 {
-  // East of the central meridian in the northern hemisphere the meridians lean left on the map, so
-  // its +y axis points east of true north: sin(latitude) times the degrees from the meridian.
+  // East of the central meridian in the northern hemisphere, meridians lean to the left on the map,
+  // so its +y axis points east of true north: by sin(latitude) times the degrees from the meridian.
   const Georeference place = OnMap(Utm(9.0), 150000.0, 5.5e6, 30.0, 30.0, 301, 301);
   double longitude = 0.0, latitude = 0.0;
   place.LonLatAt(150.0, 150.0, longitude, latitude);
@@ -111,13 +112,13 @@ TEST(Georeference, ConvergenceIsPositiveWhereGridNorthPointsEast)
   const double simple = (longitude - 9.0) * std::sin(latitude * RadiansPerDegree);
   EXPECT_NEAR(place.ConvergenceAt(150.0, 150.0), simple, 1e-3);
   EXPECT_GT(simple, 1.0);
-  // Walking true north on the map bends to its west.
+  // A walk to true north turns to the west on the map.
   EXPECT_NEAR(Turn(place.GridAzimuthAt(150.0, 150.0, 0.0), 360.0 - simple), 0.0, 1e-3);
 }
 
 TEST(Georeference, SierraAlbersTurnsFourteenDegrees)
 {
-  // The raster dem/sierra_albers_30m.tif of the test data: south-west post and steps.
+  // The raster dem/sierra_albers_30m.tif of the test data: its south-western post and its steps.
   const double x0 = -2033450.108137637842447 + 15.0;
   const double y0 = 258257.169109451933764 - 1099.5 * 30.0;
   const Georeference place = OnMap(Albers, x0, y0, 30.0, 30.0, 1100, 1100);
@@ -126,17 +127,17 @@ TEST(Georeference, SierraAlbersTurnsFourteenDegrees)
   EXPECT_NEAR(longitude, -(119.0 + 14.0 / 60.0 + 46.52 / 3600.0), 0.01 / 3600.0); // gdalinfo
   EXPECT_NEAR(latitude, 37.0 + 26.0 / 60.0 + 41.95 / 3600.0, 0.01 / 3600.0);
 
-  // On a cone meridians make the angle n (longitude - longitude0) with the map's +y axis.
+  // On a conic map the angle between meridians and the +y axis is n (longitude - longitude0).
   double unused1 = 0.0, unused2 = 0.0, meridian = 0.0, scale = 0.0;
   Conus().Forward(-96.0, latitude, longitude, unused1, unused2, meridian, scale);
   EXPECT_NEAR(meridian, -14.0, 0.1);
   EXPECT_NEAR(Turn(place.GridAzimuthAt(549.5, 549.5, 0.0), -meridian), 0.0, 1e-6);
-  // Albers stretches by `scale` east and shrinks by it north: the nearest rotation serves all
-  // azimuths to within that distortion, asin((k - 1/k) / (k + 1/k)).
+  // Albers stretches by `scale` to the east and shrinks by it to the north. The nearest rotation
+  // fits all azimuths except for this distortion, asin((k - 1/k) / (k + 1/k)).
   const double distortion =
     std::asin(std::abs(scale * scale - 1.0) / (scale * scale + 1.0)) * DegreesPerRadian;
   const double convergence = place.ConvergenceAt(549.5, 549.5);
-  EXPECT_NEAR(convergence, meridian, 1e-6); // its distortion lies along the graticule
+  EXPECT_NEAR(convergence, meridian, 1e-6); // the distortion follows the graticule
 
   const auto forward = [](double lon, double lat, double& x, double& y)
   { Conus().Forward(-96.0, lat, lon, x, y); };
@@ -149,7 +150,7 @@ TEST(Georeference, SierraAlbersTurnsFourteenDegrees)
     worst = std::max(worst, std::abs(Turn(grid + convergence, azimuth)));
   }
   EXPECT_LT(worst, distortion + 1e-6);
-  EXPECT_GT(worst, 0.9 * distortion); // and no rotation does better
+  EXPECT_GT(worst, 0.9 * distortion); // no rotation fits better
 }
 
 TEST(Georeference, NonSquareStepsKeepAzimuths)
@@ -166,7 +167,7 @@ TEST(Georeference, NonSquareStepsKeepAzimuths)
 
 TEST(Georeference, PolarMapHoldsThePole)
 {
-  // 400 km about the north pole; on it grid azimuth = true azimuth - longitude of the meridian.
+  // 400 km around the north pole, where grid azimuth = true azimuth - longitude of the meridian.
   const Georeference place = OnMap(NorthPolar, -2e5, -2e5, 400.0, 400.0, 1001, 1001);
   const MapForward forward = [](double lon, double lat, double& x, double& y)
   { GeographicLib::PolarStereographic::UPS().Forward(true, lat, lon, x, y); };
@@ -185,7 +186,7 @@ TEST(Georeference, PolarMapHoldsThePole)
       EXPECT_NEAR(Turn(place.GridAzimuthAt(column, row, 30.0),
                     WalkedAzimuth(forward, longitude, latitude, 30.0)),
         0.0, 0.01 + 1e-4 / fromPole)
-        << column << ' ' << row; // ten metres bend near the pole
+        << column << ' ' << row; // ten metres are curved near the pole
     }
   }
   double longitude = 0.0, latitude = 0.0;
@@ -245,7 +246,7 @@ TEST(Georeference, RefusesWithoutPlaceOrWithABrokenLattice)
   place.Columns = 1;
   EXPECT_THROW(place.LonLatAt(0.0, 0.0, longitude, latitude), std::invalid_argument);
   place = OnMap(Geographic, 10.0, 10.0, 0.1, 0.1, 11, 11);
-  place.Latitude[0] = HUGE_VAL; // what a map's inverse gives outside its domain
+  place.Latitude[0] = HUGE_VAL; // the result of a map's inverse outside its domain
   EXPECT_THROW(place.LonLatAt(0.0, 0.0, longitude, latitude), std::invalid_argument);
   EXPECT_NO_THROW(place.LonLatAt(10.0, 10.0, longitude, latitude));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lengths and angles of the posts, their division into patches, and azimuths there and back.
+// Lengths and angles at the posts, the division of the raster into patches, and the conversion of
+// azimuths in both directions.
 #include "Geo/GroundMetric.h"
 #include "Geo/RayBending.h"
 #include "Geo/RayFan.h"
@@ -18,7 +19,7 @@ using namespace skyline;
 namespace
 {
 
-/// Sinusoidal map of the Earth's sphere of radius WgsRadius.
+/// The sinusoidal map of a sphere with the radius WgsRadius.
 void Sinusoidal(double x, double y, double& longitude, double& latitude)
 {
   latitude = y / WgsRadius * DegreesPerRadian;
@@ -34,8 +35,8 @@ Georeference SinusoidalPlace(std::ptrdiff_t columns, std::ptrdiff_t rows, double
 
 } // namespace
 
-// Closed form on the sphere: parallels keep their lengths, and the image's y axis leans by
-// t = lambda sin(phi), so that X = s / sqrt(1 + t^2), Shear = s t / sqrt(1 + t^2), Y = s sqrt(1 + t^2).
+// Closed form on the sphere: parallels keep their lengths, and the y axis of the image leans by t =
+// lambda sin(phi), so that X = s / sqrt(1 + t^2), Shear = s t / sqrt(1 + t^2), Y = s sqrt(1 + t^2).
 TEST(GroundMetric, SinusoidalInClosedForm)
 {
   const double step = 1000.0;
@@ -55,7 +56,7 @@ TEST(GroundMetric, SinusoidalInClosedForm)
       EXPECT_NEAR(found.X, step / root, tolerance);
       EXPECT_NEAR(found.Shear, step * t / root, tolerance);
       EXPECT_NEAR(found.Y, step * root, tolerance);
-      // The map's plane is what azimuths on the image count in: columns run along parallels.
+      // Azimuths on the image are measured in the plane of the map: columns run along parallels.
       EXPECT_NEAR(Turn(place.TrueAzimuthAt(column, row, 90.0), 90.0), 0.0, 0.01);
     }
   }
@@ -75,7 +76,7 @@ TEST(GroundMetric, AzimuthsThereAndBack)
       {
         const double grid = place.GridAzimuthAt(post, post, azimuth);
         EXPECT_NEAR(Turn(place.TrueAzimuthAt(post, post, grid), azimuth), 0.0, 1e-9);
-        // On the ground, from the image's +y axis.
+        // On the ground, measured from the +y axis of the image.
         EXPECT_NEAR(Turn(place.GroundAzimuthAt(post, post, azimuth),
                       azimuth - place.TrueAzimuthAt(post, post, 0.0)),
           0.0, 1e-9);
@@ -84,7 +85,8 @@ TEST(GroundMetric, AzimuthsThereAndBack)
   }
 }
 
-// Image to ground by the metric is image to true to ground by the georeference.
+// The conversion from image to ground by the metric equals the one by the georeference, over true
+// azimuths.
 TEST(GroundMetric, ImageAzimuthsToTheGround)
 {
   const Georeference place = SinusoidalPlace(101, 101, 900.0);
@@ -102,7 +104,7 @@ TEST(GroundMetric, TrueMapsAreTakenAtTheirWord)
 {
   EXPECT_TRUE(GroundMetric(OnMap(Utm(9.0), -3e5, 4e6, 600.0, 1000.0, 1001, 1001), { 600.0, 1000.0 })
                 .Uniform());
-  // 10 degrees from its meridian UTM stretches by 0.5 %.
+  // 10 degrees from its meridian, UTM stretches by 0.5 %.
   EXPECT_FALSE(
     GroundMetric(OnMap(Utm(9.0), 7e5, 5e6, 600.0, 600.0, 101, 101), { 600.0, 600.0 }).Uniform());
   EXPECT_TRUE(GroundMetric(Georeference(), { 3.0, 4.0 }).Uniform());
@@ -145,7 +147,7 @@ TEST(GroundMetric, GradientsTurnWithTheMetric)
 {
   const Georeference place = SinusoidalPlace(101, 101, 1000.0);
   const GroundMetric metric(place, { 1000.0, 1000.0 });
-  // A plane that rises by a per metre of x and b per metre of y on the post's own axes.
+  // A plane that rises by a per metre of x and by b per metre of y, along the axes of the post.
   const PostMetric here = metric.At(50.0, 40.0);
   const double a = 0.3, b = -0.2;
   std::vector<float> x(101, static_cast<float>((a * here.X + b * here.Shear) / 1000.0));
@@ -157,7 +159,7 @@ TEST(GroundMetric, GradientsTurnWithTheMetric)
 
 TEST(GroundMetric, RefusesMapsWithoutLengths)
 {
-  // Folded: columns run west.
+  // A folded map: columns run to the west.
   const MapInverse folded = [](double x, double y, double& longitude, double& latitude)
   {
     longitude = -x / 1e5;
@@ -171,7 +173,7 @@ TEST(GroundMetric, RefusesMapsWithoutLengths)
   EXPECT_THROW(GroundMetric(place, { 1.0, 1.0 }), std::invalid_argument);
 }
 
-// Every post lies between two rays, none of which leaves it further beside its azimuth than promised.
+// Each post lies between two rays, and no ray deviates more from its azimuth than the tolerance.
 TEST(RayFan, RaysStayBesideTheirAzimuth)
 {
   const Georeference place = SinusoidalPlace(801, 601, 500.0);
@@ -179,8 +181,7 @@ TEST(RayFan, RaysStayBesideTheirAzimuth)
   for (const double azimuth : { 0.0, 35.0, 90.0, 201.0, 300.0 })
   {
     const RayFan fan(metric, azimuth, false, true);
-    EXPECT_EQ(
-      fan.Directions.size() > 3, azimuth != 0.0); // rows run along the +y axis by definition
+    EXPECT_EQ(fan.Directions.size() > 3, azimuth != 0.0); // rows follow the +y axis by definition
     std::vector<float> directions(801), lengths(801);
     for (const std::ptrdiff_t row : { 0, 77, 300, 600 })
     {
@@ -209,7 +210,7 @@ TEST(RayFan, RaysStayBesideTheirAzimuth)
   }
 }
 
-// Azimuths on the image run alike over a map that is no raster in degrees.
+// On a map that is not in degrees, azimuths on the image have the same direction everywhere.
 TEST(RayFan, OneRayWhereOneIsEnough)
 {
   const Georeference small = SinusoidalPlace(11, 11, 30.0);
@@ -220,8 +221,9 @@ TEST(RayFan, OneRayWhereOneIsEnough)
   EXPECT_TRUE(RayFan(metric, 45.0, true, false).IsOne());
 }
 
-// A line that sets out to the east turns by tan(latitude) / R a metre from its parallel: at its end the
-// geodesic is off by half of that, to first order. On the equator nothing bends.
+// A straight line that starts to the east turns away from its parallel by tan(latitude) / R per
+// metre. At its end the geodesic differs by half of that, to first order. On the equator there is
+// no turn.
 TEST(RayBending, AlongAParallel)
 {
   const double reach = 20000.0;
@@ -231,13 +233,13 @@ TEST(RayBending, AlongAParallel)
       OnMap(Geographic, 10.0, latitude - 0.05, 0.01, 0.001, 101, 101), reach);
   };
   const double latitude = 60.0;
-  const double radius = 6.378e6; // within half a per cent of both radii of curvature
+  const double radius = 6.378e6; // within 0.5 % of both radii of curvature
   const double expected = std::tan(latitude * RadiansPerDegree) * reach / (2.0 * radius);
   const RayBending found = bend(latitude);
   EXPECT_NEAR(found.Length, reach, 1.0);
   EXPECT_GE(found.Azimuth * RadiansPerDegree, 0.99 * expected);
   EXPECT_LE(
-    found.Azimuth * RadiansPerDegree, 1.1 * expected); // slanted rays reach higher latitudes
+    found.Azimuth * RadiansPerDegree, 1.1 * expected); // oblique rays reach higher latitudes
   EXPECT_LT(bend(0.0).Azimuth, 1e-3);
   EXPECT_LT(bend(0.0).Distance, 1e-5);
   EXPECT_EQ(MeasureRayBending(Georeference(), reach).Length, 0.0);

@@ -15,8 +15,9 @@ using namespace skyline;
 namespace
 {
 
-/// A geodesic between two posts cuts the parallel's arc by the step squared over 24, and meridian
-/// arcs differ from their tangent as little: 1e-7 for steps up to 0.05 degrees.
+/// A geodesic between two posts is shorter than the arc of the parallel by the square of the step
+/// divided by 24. The difference between arcs of meridians and their tangents is as small: 1e-7 for
+/// steps up to 0.05 degrees.
 constexpr double ArcTolerance = 1e-7;
 
 double EastMetres(double latitude, double degrees)
@@ -62,7 +63,7 @@ TEST(RowSpacing, SixtyDegreesOfLatitudeAreRadiiOfCurvature)
 
 TEST(RowSpacing, SmallGeographicRasterHasOneSpacing)
 {
-  // Ten rows of 30 m: the cosine changes by 4e-5.
+  // Ten rows of 30 m, between which the cosine changes by 4e-5.
   Georeference place = OnMap(Geographic, -122.3, 46.1, 1.0 / 3600, 1.0 / 3600, 12, 10);
   const PostSpacing centre = ComputeRowSpacing(place, 1.0 / 3600, 1.0 / 3600, StepUnit::Degrees);
   EXPECT_TRUE(place.RowSpacingX.empty());
@@ -87,7 +88,7 @@ TEST(RowSpacing, AntimeridianIsLikeAnywhereElse)
 
 TEST(RowSpacing, RowsNearAndOnThePolesHaveAWidth)
 {
-  // To 89.9 degrees, then a global raster whose first and last rows are the poles themselves.
+  // First up to 89.9 degrees, then a global raster whose first and last rows are the poles.
   Georeference place = OnMap(Geographic, 0.0, 89.0, 0.01, 0.01, 101, 91);
   ComputeRowSpacing(place, 0.01, 0.01, StepUnit::Degrees);
   ASSERT_EQ(place.RowSpacingX.size(), 91u);
@@ -128,8 +129,8 @@ TEST(RowSpacing, TrueMapsAreTakenAtTheirWord)
   EXPECT_EQ(centre.Y, 1000.0);
   EXPECT_TRUE(utm.RowSpacingX.empty());
 
-  // Albers of the United States in California is off by 0.4 % and follows no graticule: its centre's own
-  // lengths, and the posts' from the lattice.
+  // The Albers map of the United States in California is wrong by 0.4 % and does not follow the
+  // graticule. The centre has its own lengths, and those of the posts come from the lattice.
   Georeference albers = OnMap(Albers, -2033450.0, 225272.0, 30.0, 30.0, 1100, 1100);
   centre = ComputeRowSpacing(albers, 30.0, 30.0);
   EXPECT_NE(centre.X, 30.0);
@@ -139,7 +140,8 @@ TEST(RowSpacing, TrueMapsAreTakenAtTheirWord)
 
 TEST(RowSpacing, WebMercatorGetsItsTrueScale)
 {
-  // Its sphere on the ellipsoid: scale a / (N cos) east, a / (M cos) north.
+  // The map of a sphere applied to the ellipsoid: the scale is a / (N cos) to the east and a / (M
+  // cos) to the north.
   Georeference place = OnMap(WebMercator, 1e6, WebMercatorY(47.0), 1000.0, 1000.0, 101, 651);
   const PostSpacing centre = ComputeRowSpacing(place, 1000.0, 1000.0);
   ASSERT_EQ(place.RowSpacingX.size(), 651u);
@@ -151,7 +153,7 @@ TEST(RowSpacing, WebMercatorGetsItsTrueScale)
     const double degrees = 1000.0 / WgsRadius * DegreesPerRadian;
     const double east = EastMetres(latitude, degrees);
     const double north = NorthMetres(latitude, degrees) * std::cos(latitude * RadiansPerDegree);
-    // The lattice's quadratic over 650 km adds 1e-6.
+    // The quadratic interpolation of the lattice over 650 km adds 1e-6.
     EXPECT_NEAR(place.RowSpacingX[row] / east, 1.0, 1e-5);
     EXPECT_NEAR(place.RowSpacingY[row] / north, 1.0, 1e-5);
   }
@@ -166,11 +168,11 @@ TEST(RowSpacing, TinyAndPlacelessRastersKeepTheirMetres)
   EXPECT_EQ(ComputeRowSpacing(none, 3.0, 4.0).Y, 4.0);
   EXPECT_THROW(ComputeRowSpacing(none, 3.0, 4.0, StepUnit::Degrees), std::invalid_argument);
 
-  // Micrometres, where longitudes and geodesics have no digits left.
+  // Micrometres: longitudes and geodesics have no digits left.
   Georeference tiny = OnMap(Utm(9.0), 1e5, 5e6, 1e-6, 1e-6, 101, 101);
   EXPECT_EQ(ComputeRowSpacing(tiny, 1e-6, 1e-6).X, 1e-6);
   EXPECT_TRUE(tiny.RowSpacingX.empty());
-  // Millimetres over ten metres.
+  // Millimetres, over ten metres.
   Georeference fine = OnMap(Utm(9.0), 1e5, 5e6, 1e-3, 1e-3, 10001, 101);
   EXPECT_EQ(ComputeRowSpacing(fine, 1e-3, 1e-3).X, 1e-3);
   EXPECT_TRUE(fine.RowSpacingX.empty());
@@ -187,7 +189,7 @@ TEST(RowSpacing, RefusesSteps)
   }
 }
 
-// Found by a fuzzer: after a whole turn the next post is 0 m away.
+// Found by a fuzzer: after a full turn the distance to the next post is 0 m.
 TEST(RowSpacing, RefusesStepsAroundTheBodyOrTooSmallToMeasure)
 {
   for (const double step : { 200.0, 360.0, 720.0, 1e-320 })
@@ -219,7 +221,8 @@ TEST(RowBands, CoverAllRowsWithinTheTolerance)
       next = band.RowEnd;
     }
     EXPECT_EQ(next, place.Rows);
-    // As few as the ratio of the widths, 2 (0.69 in logarithm), allows; whole rows cost some.
+    // The number of bands is as small as the ratio of the widths, 2 (0.69 as a logarithm), allows,
+    // plus some bands because rows are not divided.
     if (tolerance > 0.0)
     {
       EXPECT_LE(static_cast<double>(bands.size()), 1.0 + 1.1 * std::log(2.0) / (2.0 * tolerance));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bounds and random vectors of the tests of harmonics.
+// Tolerances and random vectors for the tests of harmonics.
 #ifndef skyline_HarmonicTesting_h
 #define skyline_HarmonicTesting_h
 
@@ -12,11 +12,10 @@ namespace skyline
 namespace testing
 {
 
-/// The project's bound for the algebra of harmonics; sums here have up to a few hundred terms of
-/// order 1 in double.
+/// The tolerance for sums of harmonics in double precision, with up to a few hundred terms near 1.
 constexpr double AlgebraBound = 1.0e-12;
 
-/// Numbers in [-1, 1].
+/// Random numbers in [-1, 1].
 inline std::vector<double> RandomVector(int count, unsigned seed)
 {
   std::mt19937 engine(seed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A rule that integrates polynomials over the sphere exactly, for tests of harmonics.
+// A quadrature rule that is exact for polynomials on the sphere, for the tests of harmonics.
 #ifndef skyline_SphereQuadrature_h
 #define skyline_SphereQuadrature_h
 
@@ -32,8 +32,8 @@ inline std::pair<double, double> GaussNode(int n, int k)
   return { x, 2.0 / ((1.0 - x * x) * slope * slope) };
 }
 
-/// Calls visit(x, y, z, weight) on a rule for functions whose polar part has polynomial degree below
-/// 2 n and whose azimuth waves number below 2 n; z runs from `bottom` to 1.
+/// Calls visit(x, y, z, weight) for the points of a rule that is exact for functions whose degree
+/// in z is below 2 n and whose azimuthal frequency is below 2 n. z runs from `bottom` to 1.
 template <typename Visit>
 void VisitSphere(int n, double bottom, const Visit& visit)
 {

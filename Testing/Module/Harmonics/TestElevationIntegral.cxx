@@ -15,10 +15,10 @@ namespace testing
 namespace
 {
 
-/// N_lm P_l^m(sin e) from the harmonics themselves, in the azimuth where their factor is 1.
+/// N_lm P_l^m(sin e) from the harmonics, in the azimuth in which their azimuthal factor is 1.
 double AtElevation(int l, int m, double elevation)
 {
-  // cos(m p) = 1 for p = 0: east.
+  // cos(m p) = 1 for p = 0, which is east.
   double values[HarmonicCount(MaxHarmonicBands)];
   EvaluateHarmonics(MaxHarmonicBands, std::cos(elevation), 0.0, std::sin(elevation), values);
   return values[HarmonicIndex(l, m)];
@@ -31,7 +31,7 @@ double Weighted(ElevationWeight weight, double elevation)
                                         : std::cos(elevation);
 }
 
-/// Simpson's rule: (h / n)^4 / 180 of a fourth derivative up to 9^4 leaves 1e-13.
+/// Simpson's rule: the error (h / n)^4 / 180 times a fourth derivative of up to 9^4 is 1e-13.
 double Simpson(int l, int m, ElevationWeight weight, double horizon)
 {
   const int n = 4000;
@@ -45,7 +45,7 @@ double Simpson(int l, int m, ElevationWeight weight, double horizon)
   return sum * horizon / (3.0 * n);
 }
 
-constexpr double QuadratureBound = 1.0e-11; // of Simpson, and of the rounding of polynomials
+constexpr double QuadratureBound = 1.0e-11; // of Simpson's rule and of the rounding of polynomials
 
 TEST(ElevationIntegral, EqualsQuadrature)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Irradiance by spherical harmonics of 2 to 8 bands against direct integration over the same horizons,
-// and wedges against the horizons between them: the tables of Documentation/sn08.md, printed.
+// Compares the irradiance by spherical harmonics of 2 to 8 bands with direct integration over the
+// same horizons, and wedges with the horizons between azimuths. Prints the tables of
+// Documentation/sn08.md.
 #include "Harmonics/HarmonicProduct.h"
 #include "Harmonics/LightFit.h"
 #include "Harmonics/VisibilityAccumulator.h"
@@ -27,10 +28,10 @@ namespace
 constexpr int Azimuths = 64;
 constexpr int Elevations = 180; // of the direct integration
 
-/// Per cent of the irradiance: what LightFitRidge costs where the series could be exact.
+/// Percent of the irradiance: the error that LightFitRidge causes where the series could be exact.
 constexpr double RidgeError = 0.02;
 
-/// Some posts of a scene with their horizons.
+/// Some posts of a scene, with their horizons.
 struct Posts
 {
   std::vector<std::vector<float>> Slopes; ///< [azimuth][post]
@@ -79,7 +80,7 @@ std::vector<float> Accumulate(const Posts& posts, int bands, bool transfer)
   return values;
 }
 
-/// Irradiance of every post by direct integration: the sky above each azimuth's horizon.
+/// The irradiance of each post by direct integration of the sky above the horizon in each azimuth.
 std::vector<double> Direct(const Posts& posts, const Radiance& light)
 {
   std::vector<double> irradiance(posts.East.size(), 0.0);
@@ -111,7 +112,7 @@ double Angle(const Vector& a, const Vector& b)
   return std::acos(std::clamp(a.X * b.X + a.Y * b.Y + a.Z * b.Z, -1.0, 1.0));
 }
 
-/// Radiance of skies above the horizontal plane.
+/// A sky: its radiance above the horizontal plane.
 struct NamedLight
 {
   const char* Name;
@@ -122,9 +123,9 @@ const std::vector<NamedLight>& Lights()
 {
   static const Vector sun = DirectionOf(2.3, 0.7);
   static const std::vector<NamedLight> lights{
-    // Moon & Spencer 1942.
+    // Moon & Spencer (1942).
     { "overcast", [](const Vector& d) { return (1.0 + 2.0 * d.Z) / 3.0; } },
-    // A bright rim and a glow about the sun, as clear skies have them (CIE type 12's shape).
+    // A bright rim and a glow around the sun, as in clear skies (the shape of CIE type 12).
     { "clear",
       [](const Vector& d)
       {
@@ -138,7 +139,8 @@ const std::vector<NamedLight>& Lights()
   return lights;
 }
 
-/// Coefficients of a light on the whole sphere, dark below the horizontal plane or mirrored in it.
+/// The coefficients of a light on the whole sphere, which below the horizontal plane is either dark
+/// or mirrored.
 std::vector<double> Coefficients(const Radiance& light, bool mirrored)
 {
   return Project(
@@ -150,7 +152,7 @@ std::vector<double> Coefficients(const Radiance& light, bool mirrored)
     });
 }
 
-/// Root mean square of the differences, in per cent of the mean of the truth.
+/// The root mean square of the differences, in percent of the mean of the reference.
 double Percent(const std::vector<double>& found, const std::vector<double>& truth)
 {
   double squares = 0.0, sum = 0.0;
@@ -180,7 +182,7 @@ std::vector<double> Lit(
   return irradiance;
 }
 
-/// SN08's transfer vectors: the product of two truncated series.
+/// The transfer vectors of SN08: products of two truncated series.
 std::vector<float> Products(const Posts& posts, const std::vector<float>& visibility, int bands)
 {
   const auto count = static_cast<std::size_t>(HarmonicCount(bands));
@@ -212,7 +214,7 @@ struct NamedScene
   oracle::OracleField Field;
 };
 
-/// The papers' scenes, the moving ones at a moment, and real terrain.
+/// The scenes of the papers (moving ones at one moment) and real terrain.
 std::vector<NamedScene> Scenes()
 {
   return {
@@ -232,7 +234,7 @@ std::vector<NamedScene> Scenes()
 
 TEST(HarmonicOrders, IrradianceAgainstDirectIntegration)
 {
-  std::map<std::string, std::array<std::vector<double>, 2>> lights; // dark, mirrored
+  std::map<std::string, std::array<std::vector<double>, 2>> lights; // dark and mirrored
   for (const NamedLight& light : Lights())
   {
     lights[light.Name] = { Coefficients(light.Light, false), Coefficients(light.Light, true) };
@@ -272,8 +274,8 @@ TEST(HarmonicOrders, IrradianceAgainstDirectIntegration)
       }
     }
   }
-  // The worst scene's error falls with the order, and the order suffices for what it is made for;
-  // it cannot hold a disc.
+  // The greatest error of all scenes decreases with the order, and each order is sufficient for its
+  // purpose. No order can represent a disc.
   for (const auto& [name, error] : errors)
   {
     EXPECT_LT(error[4], std::max(error[2], RidgeError)) << name;
@@ -284,8 +286,8 @@ TEST(HarmonicOrders, IrradianceAgainstDirectIntegration)
   EXPECT_LT(errors["clear"][4], 2.0);
 }
 
-// One azimuth's horizon over its swath, or lines between azimuths as SN08 have them: both against 360
-// azimuths of the real terrain.
+// Compares horizons that are constant over a swath with horizons that are linear between azimuths,
+// as in SN08, both against 360 azimuths of the real terrain.
 TEST(HarmonicOrders, StepWedgesAgainstLinearOnes)
 {
   const Posts fine = PostsOf(SaintHelens(), 360, 149);
@@ -339,7 +341,7 @@ TEST(HarmonicOrders, StepWedgesAgainstLinearOnes)
     {
       EXPECT_LT(rms[0], rms[1]) << n;
     }
-    EXPECT_NEAR(rms[1], rms[2], 0.01 * rms[1]) << n; // what the table adds
+    EXPECT_NEAR(rms[1], rms[2], 0.01 * rms[1]) << n; // the error that the table adds
   }
 }
 

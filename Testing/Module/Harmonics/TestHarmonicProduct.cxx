@@ -26,8 +26,8 @@ namespace
 
 constexpr int LargestCount = HarmonicCount(MaxHarmonicBands);
 
-/// A product of random vectors of 64 coefficients in [-1, 1] sums up to some hundred terms of 0.1
-/// in float.
+/// In a product of random vectors of 64 coefficients in [-1, 1], each sum has up to some hundred
+/// terms of 0.1, in floats.
 constexpr double FloatSumBound = 2.0e-5;
 
 class HarmonicProductBands : public ::testing::TestWithParam<int>
@@ -95,7 +95,7 @@ TEST_P(HarmonicProductBands, BruteForce)
   const std::vector<double> c = RandomVector(count, 3);
   std::vector<double> expected(count, 0.0);
   double expectedTriple = 0.0;
-  // Three polynomials of degree bands - 1.
+  // The product of three polynomials of degree bands - 1.
   VisitSphere(2 * bands, -1.0,
     [&](double x, double y, double z, double weight)
     {
@@ -127,7 +127,7 @@ TEST_P(HarmonicProductBands, BruteForce)
     EXPECT_NEAR(out[k], expected[k], AlgebraBound * std::max(1.0, largest)) << k;
     EXPECT_NEAR(swapped[k], out[k], AlgebraBound) << k;
   }
-  EXPECT_EQ(out[count], 99.0) << "wrote beyond the bands";
+  EXPECT_EQ(out[count], 99.0) << "the product wrote beyond the bands";
   EXPECT_NEAR(
     product.TripleIntegral(a.data(), b.data(), c.data()), expectedTriple, AlgebraBound * count);
 
@@ -169,7 +169,7 @@ TEST_P(HarmonicProductBands, MatrixIsTheProductWithOneFunction)
   }
 }
 
-// The factors turned about the vertical give the turned product.
+// If the factors are turned around the vertical axis, the product turns with them.
 TEST_P(HarmonicProductBands, TurnsWithItsFactors)
 {
   const int bands = GetParam(), count = HarmonicCount(bands);

@@ -19,7 +19,7 @@ namespace testing
 namespace
 {
 
-/// Values in float: 24 bits, up to 8 recurrence steps and values up to 3.
+/// Values in floats: 24 bits, up to 8 steps of recurrence and values up to 3.
 constexpr double FloatBound = 3.0e-6;
 
 constexpr int Count = HarmonicCount(MaxHarmonicBands);
@@ -114,7 +114,8 @@ TEST(Harmonics, Orthonormal)
   }
 }
 
-// Sum over m of Y_lm(a) Y_lm(b) = (2 l + 1) / (4 pi) P_l(a . b): every rotation's invariance.
+// The sum over m of Y_lm(a) Y_lm(b) is (2 l + 1) / (4 pi) P_l(a . b), which does not change under
+// rotations.
 TEST(Harmonics, AdditionTheorem)
 {
   for (const Direction& a : Directions())
@@ -170,7 +171,7 @@ TEST(Harmonics, RotationAboutTheVerticalMovesTheFunction)
     RotateAboutVertical(MaxHarmonicBands, angle, function.data(), turned.data());
     for (const Direction& d : Directions())
     {
-      // Clockwise seen from above: north (y) goes to east (x).
+      // Clockwise seen from above: north (y) turns to east (x).
       const Direction moved{ d.X * std::cos(angle) + d.Y * std::sin(angle),
         -d.X * std::sin(angle) + d.Y * std::cos(angle), d.Z };
       EXPECT_NEAR(Sum(turned, moved), Sum(function, d), 10.0 * AlgebraBound) << angle;
@@ -244,7 +245,7 @@ TEST(Harmonics, ClampedCosineOfTheReference)
 
 TEST(Harmonics, ZonalsAgainstQuadrature)
 {
-  constexpr int bands = 24; // beyond those of the tables: the closed forms hold for every band
+  constexpr int bands = 24; // more than the tables have: the closed forms hold for all bands
   for (const double bottom : { -1.0, -0.999, -0.4, 0.0, 0.3, 0.9, 0.99999 })
   {
     for (int l = 0; l < bands; ++l)
@@ -275,11 +276,12 @@ TEST(Harmonics, CapsAddUpAndEnd)
   {
     EXPECT_EQ(CapZonal(l, 1.0), 0.0) << "nothing";
     EXPECT_NEAR(CapZonal(l, -1.0), l == 0 ? std::sqrt(4.0 * Pi) : 0.0, AlgebraBound) << "all";
-    // The rest of the sphere is a cap around the nadir: odd bands change sign.
+    // The rest of the sphere is a cap around the nadir, where odd bands have the other sign.
     const double sphere = l == 0 ? std::sqrt(4.0 * Pi) : 0.0;
     EXPECT_NEAR(
       CapZonal(l, 0.3) + (l % 2 == 0 ? 1.0 : -1.0) * CapZonal(l, -0.3), sphere, AlgebraBound);
-    // A cap of 1e-4 radians is its solid angle at the zenith, but for l (l + 1) radius^2 / 8.
+    // A cap of 1e-4 radians acts like its solid angle at the zenith, except for l (l + 1) radius^2
+    // / 8.
     const double radius = 1.0e-4, solid = 2.0 * Pi * (1.0 - std::cos(radius));
     const double small = CapZonal(l, std::cos(radius)) / solid;
     EXPECT_NEAR(small / std::sqrt((2.0 * l + 1.0) / (4.0 * Pi)), 1.0,

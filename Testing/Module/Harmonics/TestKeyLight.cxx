@@ -28,7 +28,8 @@ KeyLight Light(double azimuth, double elevation, double radius)
   return { azimuth * Degree, elevation * Degree, radius * Degree };
 }
 
-/// The irradiance of a post by its transfer over a swath, its horizons by azimuth.
+/// The irradiance of a post by its transfer over a swath, with horizons given as a function of
+/// azimuth.
 double Lit(const std::vector<double>& light, const Swath& swath, int azimuths,
   const std::function<double(double)>& slope, double east = 0.0, double north = 0.0)
 {
@@ -56,7 +57,7 @@ double Irradiance(const KeyLight& light, const Swath& swath, int azimuths, int b
 
 TEST(KeyLight, SwathIsThatOfTheDisc)
 {
-  // A disc on the horizon covers its own diameter; higher up the meridians draw together.
+  // The swath of a disc on the horizon is as wide as the disc. Higher up the meridians converge.
   EXPECT_NEAR(SwathOf(Light(30.0, 0.0, 5.0)).Width, 10.0 * Degree, 1.0e-12);
   EXPECT_NEAR(
     SwathOf(Light(30.0, 60.0, 5.0)).Width, 2.0 * std::asin(2.0 * std::sin(5.0 * Degree)), 1.0e-12);
@@ -122,11 +123,11 @@ TEST(KeyLight, FacingIrradianceIsThatOfTheDisc)
         const double cosine = d.X * toward.X + d.Y * toward.Y + d.Z * toward.Z;
         sum += cosine > std::cos(light.Radius) ? cosine * solid : 0.0;
       });
-    EXPECT_NEAR(FacingIrradiance(light), sum, 2.0e-3 * sum); // the disc's rim in a lattice
+    EXPECT_NEAR(FacingIrradiance(light), sum, 2.0e-3 * sum); // the rim of the disc on a lattice
   }
 }
 
-// With nothing in the way the light gives what its disc gives, whatever the swath and the order.
+// Without terrain the irradiance is that of the disc, for any swath and order.
 TEST(KeyLight, UnshadowedIrradianceIsExact)
 {
   for (const int bands : { 2, 4, 8 })
@@ -147,11 +148,11 @@ TEST(KeyLight, UnshadowedIrradianceIsExact)
   }
 }
 
-/// Irradiance of a level receiver behind a horizon of one elevation: the disc's own, and the series'
-/// cut off at 0, both of the light in the open.
+/// The irradiance of a level receiver behind a horizon of constant elevation: that of the disc, and
+/// that of the series, cut off at 0. Each is relative to its value without terrain.
 struct Shadow
 {
-  double Rms = 0.0, Lowest = 1.0, Open = 0.0; ///< Open: of the disc's own
+  double Rms = 0.0, Lowest = 1.0, Open = 0.0; ///< Open: relative to the disc
 };
 
 Shadow ShadowOf(const KeyLight& light, int bands, KeyLightSeries series)
@@ -215,7 +216,7 @@ TEST(KeyLight, NothingIsLeftUnderTheZenith)
   const double open = Irradiance(light, SwathOf(light), 3, 4, [](double) { return -1.0; });
   const double hidden = Irradiance(light, SwathOf(light), 3, 4, [](double) { return 1.0e9; });
   EXPECT_GT(open, 0.0);
-  EXPECT_NEAR(hidden, 0.0, 1.0e-3 * open); // floats against coefficients of tens
+  EXPECT_NEAR(hidden, 0.0, 1.0e-3 * open); // floats, with coefficients of some tens
 }
 
 TEST(KeyLight, OutsideOfTheSwathIsNoLight)
@@ -230,7 +231,8 @@ TEST(KeyLight, OutsideOfTheSwathIsNoLight)
   EXPECT_EQ(coefficients[0], 0.0);
 }
 
-// SN08, section 5: what stands outside the swath does not blur in, as it does with a whole circle.
+// SN08, section 5: terrain outside the swath has no effect, while it would have one with a whole
+// circle.
 TEST(KeyLight, TerrainOutsideTheSwathDoesNotCount)
 {
   const KeyLight light = Light(120.0, 30.0, 5.0);

@@ -29,7 +29,7 @@ double SeriesAt(const std::vector<double>& coefficients, int bands, const Vector
   return Dot(coefficients, values);
 }
 
-/// Root of the mean square difference from the light over the swath.
+/// The root mean square difference from the light over the swath.
 double Error(const Swath& swath, int bands, const std::vector<double>& coefficients,
   const std::function<double(const Vector&)>& light)
 {
@@ -47,7 +47,8 @@ double Error(const Swath& swath, int bands, const std::vector<double>& coefficie
 
 TEST(LightFit, FindsALightOfItsOwnBands)
 {
-  // Moon & Spencer's overcast sky has two bands; so the fit is it, but for the ridge.
+  // The overcast sky of Moon & Spencer has two bands, so the fit reproduces it, except for the
+  // ridge.
   const auto overcast = [](const Vector& d) { return (1.0 + 2.0 * d.Z) / 3.0; };
   for (const Swath& swath : { Swath{}, Swath{ 1.0, 0.4 } })
   {
@@ -62,7 +63,8 @@ TEST(LightFit, FindsALightOfItsOwnBands)
 
 TEST(LightFit, IsTheClosestSeries)
 {
-  // Any other series is farther: the fit's own coefficients moved a bit, either way.
+  // All other series fit worse: the coefficients of the fit are changed slightly, in both
+  // directions.
   const Swath swath{ 2.0, 1.5 };
   const auto sky = [](const Vector& d) { return std::exp(3.0 * (d.X - d.Z)); };
   std::vector<double> fit = ProjectedOver(swath, 3, sky);
@@ -82,7 +84,7 @@ TEST(LightFit, IsTheClosestSeries)
 
 TEST(LightFit, WithoutAnyPartLeftOutIsNearTheProjection)
 {
-  // More bands and the ridge keep the coefficients of a smooth sky small.
+  // With more bands, the ridge keeps the coefficients of a smooth sky small.
   const auto sky = [](const Vector& d) { return 1.0 + 0.5 * d.X * d.Z; };
   for (const int bands : { 4, 8 })
   {

@@ -23,8 +23,8 @@ namespace
 
 constexpr double HalfPi = 0.5 * Pi;
 
-/// Sums of a hundred floats of up to 1 and the arc's 1.4e-7; polynomials of more bands have greater
-/// coefficients that cancel (up to 430 for band 7).
+/// The error of sums of a hundred floats up to 1, plus 1.4e-7 of the arc. The polynomials of higher
+/// bands have greater coefficients, which cancel (up to 430 for band 7).
 double SumBound(int bands)
 {
   return bands <= 4 ? 2.0e-6 : 6.0e-5;
@@ -35,7 +35,7 @@ struct Gradient
   double East = 0.0, North = 0.0;
 };
 
-/// Coefficients of one post, from slopes at azimuths (k + shift) 2 pi / N.
+/// The coefficients of one post, from slopes in the azimuths (k + shift) 2 pi / N.
 std::vector<double> SumPost(int bands, const std::vector<double>& slopes,
   const Gradient* gradient = nullptr, SkyPart sky = SkyPart::Upper, double swath = 2.0 * Pi,
   double start = 0.0)
@@ -103,7 +103,7 @@ TEST(VisibilityAccumulator, SumsStepWedges)
     });
 }
 
-// The bound; what is summed is what horizons take away, so nothing rounds.
+// The sum contains what horizons hide, so flat horizons cause no rounding.
 TEST(VisibilityAccumulator, FlatHorizonsAreTheHemisphere)
 {
   for (int n = 3; n <= 256; ++n)
@@ -139,8 +139,9 @@ TEST(VisibilityAccumulator, NothingIsSeenFromTheBottomOfAShaft)
   }
 }
 
-/// The transfer as the accumulator defines it: a constant horizon over each swath, no lower than the
-/// plane at its middle, and the cosine in every direction; the order 0 takes the middle's.
+/// The transfer as the accumulator defines it: the horizon is constant over each swath and at least
+/// as high as the plane in the middle of the swath. The cosine varies with the direction; the order
+/// 0 uses the one in the middle.
 std::vector<double> SlowTransfer(
   int bands, const std::vector<double>& slopes, const Gradient& gradient, SkyPart sky)
 {
@@ -178,7 +179,7 @@ std::vector<double> SlowTransfer(
 
 TEST(TransferAccumulator, EqualsBruteForce)
 {
-  constexpr double midpointBound = 4.0e-5; // 150 x 600 midpoints a swath
+  constexpr double midpointBound = 4.0e-5; // 150 x 600 midpoints per swath
   shapes::Random random(8);
   for (const int n : { 5, 12 })
   {
@@ -220,12 +221,12 @@ TEST(TransferAccumulator, UniformSkyIsTheSkyViewFactor)
       sky.Add(0, 0, 1, &slope);
     }
     sky.Finish(0, 1);
-    // Uniform radiance 1 has the one coefficient sqrt(4 pi).
+    // A uniform radiance of 1 has only the coefficient sqrt(4 pi).
     EXPECT_NEAR(SumPost(4, slopes, &gradient)[0] * std::sqrt(4.0 * Pi), Pi * factor, 1.0e-5);
   }
 }
 
-// White furnace: uniform light and no occluder.
+// White furnace test: uniform light without terrain.
 TEST(TransferAccumulator, WhiteFurnaceGivesPiOnAnyNormal)
 {
   shapes::Random random(6);
@@ -236,7 +237,7 @@ TEST(TransferAccumulator, WhiteFurnaceGivesPiOnAnyNormal)
     for (const int n : { 3, 16, 32, 256 })
     {
       const std::vector<double> open(static_cast<std::size_t>(n), NoTerrainSlope);
-      // By SN08's triple product, exact for any number of azimuths.
+      // By the triple product of SN08, which is exact for any number of azimuths.
       const auto sphere = SumPost(4, open, nullptr, SkyPart::Sphere);
       double zonal[4], cosine[16], transfer[16];
       for (int l = 0; l < 4; ++l)
@@ -246,15 +247,16 @@ TEST(TransferAccumulator, WhiteFurnaceGivesPiOnAnyNormal)
       RotateZonal(4, zonal, normal.X, normal.Y, normal.Z, cosine);
       HarmonicProduct::ForBands(4).Product(cosine, sphere.data(), transfer);
       EXPECT_NEAR(transfer[0] * std::sqrt(4.0 * Pi), Pi, 1.0e-6) << n;
-      // Integrated: the plane's own horizon is a smooth function of the azimuth, and a sum over a
-      // circle converges faster than any power of n; the steepest of these planes slopes by 70
-      // degrees.
+      // By integration: the horizon of the plane itself is a smooth function of the azimuth, and a
+      // sum over a circle converges faster than any power of n. The steepest of these planes has a
+      // slope of 70 degrees.
       if (n >= 16)
       {
         EXPECT_NEAR(SumPost(4, open, &gradient, SkyPart::Sphere)[0] * std::sqrt(4.0 * Pi), Pi,
           n == 16 ? 1.0e-3 : 1.0e-5);
       }
-      // Above the horizontal plane alone a tilted receiver loses what lies below: a kink, h^2 / 12.
+      // Above the horizontal plane alone, a tilted receiver loses the directions below it: a kink,
+      // h^2 / 12.
       EXPECT_NEAR(SumPost(4, open, &gradient)[0] * std::sqrt(4.0 * Pi), HalfPi * (1.0 + normal.Z),
         10.0 / (n * n));
     }
@@ -263,7 +265,8 @@ TEST(TransferAccumulator, WhiteFurnaceGivesPiOnAnyNormal)
 
 TEST(TransferAccumulator, SteepestPlanesSeeHalfTheSky)
 {
-  // The plane alone hides; 36 azimuths stand for the circle: pi^2 / 6 N^2, as in TestSkyAccumulator.
+  // Only the plane itself hides the sky. 36 azimuths represent the circle: pi^2 / 6 N^2, as in
+  // TestSkyAccumulator.
   for (const double steep : { 1.0e4, 1.0e8, 1.0e12 })
   {
     const Gradient gradient{ steep, 0.0 };
@@ -305,7 +308,7 @@ TEST(TransferAccumulator, LevelGroundIsTheClampedCosine)
 
 TEST(VisibilityAccumulator, SwathsAddUp)
 {
-  // A circle in 40 azimuths is two arcs of 13 and 27.
+  // A circle of 40 azimuths consists of two arcs of 13 and 27.
   shapes::Random random(12);
   const std::vector<double> slopes = RandomSlopes(random, 40);
   const Gradient gradient{ 0.3, -0.8 };
@@ -344,7 +347,7 @@ TEST(VisibilityAccumulator, FractionsOfADegreeKeepTheirDigits)
   }
 }
 
-/// A small field's coefficients, added in runs of `run` posts.
+/// The coefficients of a small field, added in runs of `run` posts.
 std::vector<float> FieldSums(std::ptrdiff_t run, bool transfer, int azimuths)
 {
   const std::ptrdiff_t columns = 301, rows = 3;

@@ -17,7 +17,7 @@ namespace
 
 constexpr double HalfPi = 0.5 * Pi;
 
-/// Midpoint sums of 400 x 400 over a function that turns 8 times at most.
+/// Midpoint sums of 400 x 400 values of a function with at most 8 oscillations.
 constexpr double MidpointBound = 2.0e-5;
 
 std::vector<double> Step(int bands, double azimuth, double width, double horizon)
@@ -74,7 +74,7 @@ TEST(VisibilityWedge, LevelLinearIsStep)
 
 TEST(VisibilityWedge, QuadratureErrsAsStated)
 {
-  // Four wedges of a quarter of the width use four times the panels, or more.
+  // Four wedges with a quarter of the width use at least four times as many panels.
   for (const double width : { 0.1, 0.49, 1.0, 2.0 * Pi })
   {
     const double from = 0.0, to = HalfPi;
@@ -100,7 +100,7 @@ TEST(VisibilityWedge, NothingIsLeftUnderTheZenith)
   }
 }
 
-// The bound is 1e-6; doubles do better.
+// The sums agree to 1e-12 in double precision; 1e-6 would be sufficient.
 TEST(VisibilityWedge, FlatHorizonsSumToTheHemisphere)
 {
   for (int n = 3; n <= 256; ++n)
@@ -131,7 +131,7 @@ TEST(VisibilityWedge, FlatHorizonsSumToTheHemisphere)
 
 TEST(VisibilityWedge, BelowTheHorizontalGoesOnToTheNadir)
 {
-  // A whole turn above the nadir is the sphere: sqrt(4 pi) of the first function alone.
+  // The full circle above the nadir is the sphere: sqrt(4 pi) in the first function alone.
   const auto sphere = Step(8, 0.0, 2.0 * Pi, -HalfPi);
   EXPECT_NEAR(sphere[0], std::sqrt(4.0 * Pi), 1.0e-12);
   for (std::size_t c = 1; c < sphere.size(); ++c)
@@ -140,8 +140,8 @@ TEST(VisibilityWedge, BelowTheHorizontalGoesOnToTheNadir)
   }
 }
 
-// Bilinear interpolation over steps of 90 / 255 degrees: step^2 / 8 of the second derivatives of the
-// integrals, which stay below 6, twice.
+// Bilinear interpolation with steps of 90 / 255 degrees: step^2 / 8 times the second derivatives of
+// the integrals, which are below 6, in two directions.
 constexpr double TableBound = 2.0 * 6.0 / 8.0 * (HalfPi / 255.0) * (HalfPi / 255.0);
 
 TEST(WedgeTable, EqualsItsWedges)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Projections of visible sky by brute force: midpoints in azimuth and elevation, in double precision.
+// Projections of the visible sky by brute force: sums of midpoints in azimuth and elevation, in
+// double precision.
 #ifndef skyline_WedgeTesting_h
 #define skyline_WedgeTesting_h
 
@@ -28,7 +29,7 @@ inline Vector DirectionOf(double azimuth, double elevation)
     std::sin(elevation) };
 }
 
-/// The upward normal of a plane with a gradient.
+/// The upward normal of a plane with the given gradient.
 inline Vector NormalOf(double east, double north)
 {
   const double up = 1.0 / std::sqrt(1.0 + east * east + north * north);
@@ -37,8 +38,9 @@ inline Vector NormalOf(double east, double north)
 
 using Radiance = std::function<double(const Vector&)>;
 
-/// Calls sample(direction, solid angle) for directions over the swath [from, to] of azimuths, above
-/// the elevation horizon(azimuth): midpoints, their number in azimuth and in elevation.
+/// Calls sample(direction, solid angle) for directions in the swath [from, to] of azimuths, above
+/// the elevation horizon(azimuth). The directions are midpoints, with the given numbers in azimuth
+/// and elevation.
 template <class Horizon, class Sample>
 void ForSky(double from, double to, int azimuths, int elevations, const Horizon& horizon,
   const Sample& sample)
@@ -57,7 +59,7 @@ void ForSky(double from, double to, int azimuths, int elevations, const Horizon&
   }
 }
 
-/// Coefficients of f over the sky above a horizon.
+/// The coefficients of f over the sky above a horizon.
 template <class Horizon, class Function>
 std::vector<double> Project(int bands, double from, double to, int azimuths, int elevations,
   const Horizon& horizon, const Function& f)

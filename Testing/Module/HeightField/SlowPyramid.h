@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Snyder & Nowrouzezahrai 2008 (SN08), section 4, by the plainest loops in double precision.
+// Snyder & Nowrouzezahrai (2008), SN08, section 4, by the simplest loops in double precision.
 #ifndef skyline_SlowPyramid_h
 #define skyline_SlowPyramid_h
 
@@ -16,7 +16,7 @@ namespace skyline
 namespace testing
 {
 
-/// The cubic b-spline's bump about 0.
+/// The basis function of the cubic B-spline around 0.
 inline double Bump(double x)
 {
   const double a = std::abs(x);
@@ -25,7 +25,7 @@ inline double Bump(double x)
                  : 0.0;
 }
 
-/// A plane of values and of the part of each that is known.
+/// A plane of values, and for each value the part that is known.
 struct SlowPlane
 {
   std::ptrdiff_t Columns = 0, Rows = 0;
@@ -39,7 +39,7 @@ struct SlowPlane
   {
     return this->Known[this->Index(column, row)];
   }
-  std::size_t Index(std::ptrdiff_t column, std::ptrdiff_t row) const // repeats its edge
+  std::size_t Index(std::ptrdiff_t column, std::ptrdiff_t row) const // repeats the edge
   {
     return static_cast<std::size_t>(
       std::clamp<std::ptrdiff_t>(row, 0, this->Rows - 1) * this->Columns +
@@ -47,7 +47,7 @@ struct SlowPlane
   }
 };
 
-/// Bilinear value at (x, y); bump: the bicubic b-spline instead.
+/// The bilinear value at (x, y), or that of the bicubic B-spline if `bump` is true.
 inline void SampleAt(
   const SlowPlane& plane, double x, double y, bool bump, double& value, double& known)
 {
@@ -68,7 +68,7 @@ inline void SampleAt(
   }
 }
 
-/// Every level of the pyramid, each at the field's full resolution, the coarsest first.
+/// All levels of the pyramid, each at the full resolution of the field, the coarsest one first.
 inline std::vector<SlowPlane> FullLevels(const oracle::OracleField& field, double step)
 {
   SlowPlane finest{ field.Columns, field.Rows, {}, {} };
@@ -123,7 +123,7 @@ inline std::vector<SlowPlane> FullLevels(const oracle::OracleField& field, doubl
   return full;
 }
 
-/// Horizon in radians of a post, from the blocking angle of every level.
+/// The horizon of a post in radians, from the blocking angles of all levels.
 inline double SlowHorizon(const oracle::OracleField& field, const std::vector<SlowPlane>& full,
   const PyramidSettings& settings, std::ptrdiff_t column, std::ptrdiff_t row, double azimuth)
 {

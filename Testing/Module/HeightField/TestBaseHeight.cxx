@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The height that floats count from: halfway for terrain, near most posts for anything.
+// The height that is subtracted before heights become floats: the middle of the range for terrain,
+// near most posts for other data.
 #include "HeightField/BaseHeight.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ TEST(BaseHeight, IsHalfwayForTerrain)
   EXPECT_EQ(BaseHeight(Count, -4000.0, 5900.0, Hill), 950.0);
 }
 
-// A block of up to 40 % of the posts, whatever its value: the base lies within the hills.
+// Up to 40 % of the posts have one other value: for any value, the base lies within the hills.
 TEST(BaseHeight, StaysWithMostPosts)
 {
   for (const double fill : { -99999.0, -1e10, 1e20, 9.97e36, -1.7e308 })
@@ -44,7 +45,7 @@ TEST(BaseHeight, StaysWithMostPosts)
   }
 }
 
-// Values that are no ground's do not count, however many they are.
+// Values that cannot be heights are ignored, however many there are.
 TEST(BaseHeight, LeavesOutWhatIsNoGround)
 {
   const auto height = [](std::ptrdiff_t i) { return i % 10 > 0 ? 1e20 : Hill(i); };

@@ -22,7 +22,7 @@ TEST(HeightField, RefusesWhatCarriesNoSurface)
     std::invalid_argument);
 }
 
-// A post alone among missing ones receives, but occludes nothing.
+// A post that has only missing neighbours is a receiver, but not an occluder.
 TEST(HeightField, LonelyPostsReceiveOnly)
 {
   oracle::OracleField field = shapes::Plane(9, 9, 1.0, 0.0, 0.0);
@@ -38,8 +38,8 @@ TEST(HeightField, LonelyPostsReceiveOnly)
   EXPECT_TRUE(posts.HasMissing());
   const auto method = MakeHorizonMethod(posts, HorizonSettings());
   const std::vector<float> east = Slopes(*method, GridOf(field), 90.0);
-  EXPECT_FLOAT_EQ(east[4 * 9 + 2], 0.0f);         // looks through the hole to the plain beyond
-  EXPECT_FLOAT_EQ(east[4 * 9 + 4], -5.0f / 4.0f); // the farthest post of the plain is the highest
+  EXPECT_FLOAT_EQ(east[4 * 9 + 2], 0.0f);         // sees the plain beyond the hole
+  EXPECT_FLOAT_EQ(east[4 * 9 + 4], -5.0f / 4.0f); // the horizon is the farthest post of the plain
 }
 
 TEST(HeightField, InfiniteIsMissing)

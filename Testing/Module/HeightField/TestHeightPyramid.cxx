@@ -24,14 +24,14 @@ HeightPyramid PyramidOf(const oracle::OracleField& field, double step)
 
 TEST(HeightPyramid, HasTheLevelsOfTheTable)
 {
-  // SN08, table 1, k = 4; figure 10, n = 512.
+  // SN08, table 1 with k = 4, and figure 10 with n = 512.
   EXPECT_EQ(PyramidLevels(256, 4.0), 33);
   EXPECT_EQ(PyramidLevels(512, 4.0), 37);
   EXPECT_EQ(PyramidLevels(1024, 4.0), 41);
   EXPECT_EQ(PyramidLevels(512, 1.0), 10);
   EXPECT_EQ(PyramidLevels(512, 2.0), 19);
   EXPECT_EQ(PyramidLevels(512, 8.0), 73);
-  // Any size, any step: ceil(1.5 log2 160) + 1.
+  // Other sizes and steps: ceil(1.5 log2 160) + 1.
   EXPECT_EQ(PyramidLevels(160, 1.5), 12);
   EXPECT_EQ(PyramidLevels(2, 1.0), 2);
 }
@@ -53,7 +53,8 @@ TEST(HeightPyramid, ShrinksByTheStep)
 
 TEST(HeightPyramid, TakesTheMemoryOfAFewCopies)
 {
-  // Rows of all levels: 1 / (1 - 2^(-1/4)) = 6.3 times the field's, not 41 times.
+  // The rows of all levels together are 1 / (1 - 2^(-1/4)) = 6.3 times those of the field, not 41
+  // times.
   const HeightPyramid pyramid = PyramidOf(shapes::Plane(1024, 1024, 1.0, 0.1, 0.0), 4.0);
   EXPECT_LT(pyramid.RowCount(), 6.4 * 1024);
 }
@@ -95,7 +96,7 @@ TEST(HeightPyramid, MissingPostsWeighNothing)
   {
     height = 700.0;
   }
-  field.At(0, 0) = 500.0; // makes the base another one than the plain's height
+  field.At(0, 0) = 500.0; // makes the base differ from the height of the plain
   shapes::RemoveIslands(field, 20, 6, 2);
   field.At(0, 0) = 700.0;
   const HeightPyramid pyramid = PyramidOf(field, 2.5);

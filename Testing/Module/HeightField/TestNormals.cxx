@@ -31,7 +31,7 @@ Pair All(const Grid& grid, const HeightAt& height, const double* spacingX = null
 {
   const auto posts = static_cast<std::size_t>(grid.Columns * grid.Rows);
   Pair gradients{ std::vector<float>(posts), std::vector<float>(posts) };
-  // Two ranges, as two threads would.
+  // Two ranges of rows, as two threads would compute them.
   Gradients(grid, height, 0, grid.Rows / 2, gradients.East.data(), gradients.North.data(), spacingX,
     spacingY);
   Gradients(grid, height, grid.Rows / 2, grid.Rows, gradients.East.data(), gradients.North.data(),
@@ -41,7 +41,7 @@ Pair All(const Grid& grid, const HeightAt& height, const double* spacingX = null
 
 TEST(Normals, PlaneHasOneGradientUpToTheEdge)
 {
-  // Heights are exact in binary, so the quotients are.
+  // The heights are exact in binary, and so are the quotients.
   const Grid grid{ 6, 5, 2.0, 0.5 };
   const Pair gradients =
     All(grid, [](std::ptrdiff_t column, std::ptrdiff_t row) { return 3 * column - 2 * row; });
@@ -86,12 +86,12 @@ TEST(Normals, LonelyPostIsLevel)
     });
   EXPECT_EQ(gradients.East[4], 0.0f);
   EXPECT_EQ(gradients.North[4], 0.0f);
-  EXPECT_TRUE(std::isnan(gradients.East[5])); // infinite heights are missing too
+  EXPECT_TRUE(std::isnan(gradients.East[5])); // infinite heights count as missing
 }
 
 TEST(Normals, MillimetresOnTenThousandKilometres)
 {
-  // Steps of 2^-10 m, which 1e7 m in double hold exactly.
+  // Steps of 2^-10 m, which doubles near 1e7 m represent exactly.
   const Grid grid{ 5, 4, 1.0, 1.0 };
   const Pair gradients = All(grid,
     [](std::ptrdiff_t column, std::ptrdiff_t row)
@@ -119,7 +119,7 @@ TEST(Normals, EachRowMayHaveItsSpacing)
 
 TEST(Normals, ViewsMayBeStridedAndFlipped)
 {
-  // North-up rows, two values a post: the height is the second.
+  // North-up rows with two values per post, of which the second is the height.
   const float values[8] = { 0, 7, 0, 9, 0, 1, 0, 2 };
   const PostView<float> view{ values + 5, 2, -4 };
   const Pair gradients = All(Grid{ 2, 2, 1.0, 1.0 }, view);

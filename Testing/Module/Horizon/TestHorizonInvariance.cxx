@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What must not change a horizon: mirrors, swapped axes, a shift of all heights, how lines are dealt
-// out, a second run.
+// Changes that must not change a horizon: mirrors, swapped axes, an offset of all heights, the
+// division into lines, a second run.
 #include "Reference/OracleTerrain.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ std::vector<float> ExactSlopes(const oracle::OracleField& field, double azimuth)
   return Slopes(*MakeHorizonMethod(posts, settings), GridOf(field), azimuth);
 }
 
-// A mirror turns the diagonals of the triangles; the bilinear surface has none.
+// A mirror changes the diagonals of the triangles; the bilinear surface has none.
 TEST(HorizonInvariance, MirrorsOfTheBilinearSurface)
 {
   oracle::OracleField field = Hills();
@@ -56,8 +56,8 @@ TEST(HorizonInvariance, MirrorsOfTheBilinearSurface)
   }
 }
 
-// Swapped axes keep the diagonals: row i of one field is column i of the other, and azimuth a becomes
-// 90 - a.
+// Swapped axes keep the diagonals: row i of one field is column i of the other, and the azimuth a
+// becomes 90 - a.
 TEST(HorizonInvariance, SwappedAxes)
 {
   const oracle::OracleField& field = Hills();
@@ -84,7 +84,8 @@ TEST(HorizonInvariance, SwappedAxes)
   }
 }
 
-// 1e7 m in double: the heights are kept less their middle, so nothing but 2^-53 x 1e7 m = 1 nm goes.
+// 1e7 m in double precision: heights are stored relative to their middle, so only 2^-53 x 1e7 m = 1
+// nm is lost.
 TEST(HorizonInvariance, HeightShift)
 {
   oracle::OracleField shifted = Hills();
@@ -103,7 +104,7 @@ TEST(HorizonInvariance, HeightShift)
   }
 }
 
-// Millimetres on 1e7 m: a plane of 1 mm a post keeps its slope.
+// Millimetres on top of 1e7 m: a plane that rises by 1 mm per post keeps its slope.
 TEST(HorizonInvariance, MillimetresOnTenThousandKilometres)
 {
   oracle::OracleField field = shapes::Plane(50, 50, 1.0, 0.001, 0.0);
@@ -112,7 +113,7 @@ TEST(HorizonInvariance, MillimetresOnTenThousandKilometres)
     height += 1.0e7;
   }
   const std::vector<float> slopes = ExactSlopes(field, 90.0);
-  // 1e7 m in double ends at 1.9 nm: of 1 mm a post, 4e-6.
+  // At 1e7 m doubles are 1.9 nm apart, which is 4e-6 of 1 mm per post.
   EXPECT_NEAR(slopes[25 * 50 + 20], 0.001, 5.0e-9);
 }
 
@@ -122,7 +123,7 @@ TEST(HorizonInvariance, LinesMayBeDealtOutInTheSameChunksByAnyone)
   const auto once = MakeHorizonMethod(posts, HorizonSettings());
   const auto again = MakeHorizonMethod(posts, HorizonSettings());
   EXPECT_EQ(Slopes(*once, GridOf(Hills()), 61.0), Slopes(*again, GridOf(Hills()), 61.0));
-  // Another chunk size may only move what is rounding.
+  // Another size of the groups of lines may only change the rounding.
   const std::vector<float> whole = Slopes(*once, GridOf(Hills()), 61.0, 1000);
   const std::vector<float> single = Slopes(*once, GridOf(Hills()), 61.0, 1);
   for (std::size_t post = 0; post < whole.size(); ++post)
@@ -131,7 +132,7 @@ TEST(HorizonInvariance, LinesMayBeDealtOutInTheSameChunksByAnyone)
   }
 }
 
-// Lanes of a line may be asked for in part, as bands of rows do.
+// A part of the lanes of a line can be requested, as it is for bands of rows.
 TEST(HorizonInvariance, PartOfTheLanes)
 {
   const HeightField posts = FieldOf(Hills());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every method against the oracle: every crossing in double precision, the obvious loop.
+// All methods, compared with the oracle, which evaluates each crossing in double precision by
+// simple loops.
 #include "Reference/OracleTerrain.h"
 
 #include "hwy/targets.h"
@@ -16,7 +17,7 @@ namespace testing
 namespace
 {
 
-// Axes, diagonals, the slant of a knight's move, both sides of each octant and of north.
+// Axes, diagonals, the direction of a knight's move, and both sides of each octant and of north.
 const std::vector<double> Azimuths{ 0.0, 10.0, 26.565051177, 45.0, 50.0, 63.4, 90.0, 100.0, 135.0,
   140.0, 180.0, 200.0, 225.0, 250.0, 270.0, 290.0, 315.0, 333.0, 359.99 };
 
@@ -59,7 +60,7 @@ const std::vector<Scene>& Scenes()
     { "Plane", [] { return shapes::Plane(90, 70, 1.0, 0.3, 0.2); } },
     { "Flat", [] { return shapes::Plane(64, 64, 30.0, 0.0, 0.0); } },
     { "Holes", [] { return WithHoles(Hills(), 12, 5); } },
-    // Most walks are those of a whole field, some begin or end beside the missing corners.
+    // Most walks are those of a whole field. Some begin or end beside the missing corners.
     { "RaggedEdge",
       []
       {
@@ -166,8 +167,8 @@ TEST(HorizonScenes, AreAllRun)
   EXPECT_EQ(Scenes().size(), 20u);
 }
 
-// Each vector instruction set that this processor has finds the same horizons, but for the fused
-// multiply-add that the oldest ones lack.
+// All instruction sets of this processor find the same horizons, except for the fused multiply-add,
+// which the oldest ones lack.
 TEST(HorizonTargets, Agree)
 {
   const oracle::OracleField field = WithHoles(Hills(), 4, 3);
@@ -199,7 +200,8 @@ TEST(HorizonTargets, Agree)
   }
 }
 
-// Blocks of receivers are as wide as the vectors, so what a tolerance leaves out is not the same.
+// Blocks of receivers are as wide as the vectors, so a tolerance does not skip the same terrain in
+// all of them.
 TEST(HorizonTargets, DifferByTheToleranceOfFast)
 {
   constexpr double FastTolerance = 0.25; // degrees
@@ -254,7 +256,7 @@ TEST(HorizonTolerance, CertifiesEveryError)
   }
 }
 
-// The bounds for terrain.
+// The bounds of the method on terrain.
 TEST(HorizonFast, KeepsItsStatedErrorOnTerrain)
 {
   constexpr double rmseBound = 0.03;
@@ -286,7 +288,7 @@ TEST(HorizonFast, KeepsItsStatedErrorOnTerrain)
   }
 }
 
-// Along the axes the sweep's samples are the posts, square or not: there it is exact.
+// Along the axes the samples of the sweep are the posts, so the result is exact for any spacing.
 TEST(HorizonSweep, IsExactAlongTheAxes)
 {
   for (const double aspect : { 1.0, 0.3, 1000.0 })
@@ -312,7 +314,8 @@ TEST(HorizonSweep, IsExactAlongTheAxes)
   }
 }
 
-// Posts 1000 times as long as wide take as many samples as square ones, not a million times as many.
+// Posts that are 1000 times longer than wide need as many samples as square ones, not a million
+// times as many.
 TEST(HorizonSweep, SamplesDoNotGrowWithTheAspect)
 {
   oracle::OracleField field = Hills();
@@ -328,7 +331,8 @@ TEST(HorizonSweep, SamplesDoNotGrowWithTheAspect)
   }
 }
 
-// On a plane every sample's horizon is the plane's own slope, and resampling keeps it: any azimuth.
+// On a plane the horizon of each sample is the slope of the plane, and resampling keeps it, in any
+// azimuth.
 TEST(HorizonSweep, KeepsAPlane)
 {
   const oracle::OracleField field = shapes::Plane(60, 80, 5.0, 0.3, -0.2);

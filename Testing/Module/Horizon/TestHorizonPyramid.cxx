@@ -29,8 +29,8 @@ HorizonSettings Settings(const PyramidSettings& pyramid, double sink = 0.0)
   return settings;
 }
 
-/// Heights and weights are floats, up to a hundred sums of them in a row: 1e-6 of the relief over
-/// the nearest caster, and the arc's 2e-7.
+/// Heights and weights are floats, in up to a hundred sums in a row: 1e-6 of the relief, seen at
+/// the nearest caster, plus 2e-7 of the arc.
 double Bound(const oracle::OracleField& field, const PyramidSettings& settings)
 {
   const double relief = *std::max_element(field.Heights.begin(), field.Heights.end(),
@@ -43,7 +43,7 @@ void ExpectSlow(const oracle::OracleField& field, const PyramidSettings& setting
 {
   const HeightField posts = FieldOf(field);
   const auto method = MakeHorizonMethod(posts, Settings(settings, field.Sink));
-  // The slow one knows no base: take it off, as the fast one does.
+  // The slow pyramid has no base height, so it is subtracted, as the fast one does.
   oracle::OracleField lowered = field;
   for (double& height : lowered.Heights)
   {
@@ -124,7 +124,8 @@ TEST(HorizonPyramid, LevelGroundHasNoHorizon)
 
 TEST(HorizonPyramid, FindsThePlanesOwnSlope)
 {
-  // Far from the edges every level of a plane has the plane's slope, and so has their spline.
+  // Far from the edges, each level of a plane has the slope of the plane, and so has the spline of
+  // the levels.
   const oracle::OracleField field = shapes::Plane(128, 128, 10.0, 0.4, 0.3);
   const HeightField posts = FieldOf(field);
   for (const bool spline : { false, true })
@@ -141,7 +142,7 @@ TEST(HorizonPyramid, FindsThePlanesOwnSlope)
   }
 }
 
-// SN08, figure 10: as k and o grow together, the horizon tends to the true one.
+// SN08, figure 10: if k and o grow together, the horizon converges to the true one.
 TEST(HorizonPyramid, ConvergesToTheTruth)
 {
   const oracle::OracleField field = shapes::EggTray(128, 128, 10.0, 60.0, 400.0);
@@ -171,7 +172,7 @@ TEST(HorizonPyramid, ConvergesToTheTruth)
     EXPECT_LT(rmse, 0.9 * before) << both;
     before = rmse;
   }
-  EXPECT_LT(before, 0.5); // degrees: the log distances of k = 8 step over summits by 9 %
+  EXPECT_LT(before, 0.5); // degrees; with k = 8 the logarithmic distances miss summits by 9 %
 }
 
 TEST(HorizonPyramid, RefusesWhatItCannotDo)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far the pyramid's horizons are from the exact ones, printed as the table of Documentation/sn08.md.
+// The errors of the horizons of the pyramid, compared with the exact ones. Prints the table of
+// Documentation/sn08.md.
 #include "Reference/OracleTerrain.h"
 #include "Testing/Module/RealTerrain.h"
 
@@ -23,7 +24,7 @@ struct Error
   double Rmse = 0.0, Bias = 0.0, Largest = 0.0; // degrees
 };
 
-/// Elevations above 0, as the pyramid has none below.
+/// Elevations above 0, because the pyramid has no others.
 std::vector<float> Elevations(
   const oracle::OracleField& field, const HeightField& posts, const HorizonSettings& settings)
 {
@@ -53,7 +54,7 @@ Error Compare(const std::vector<float>& found, const std::vector<float>& truth)
   return { std::sqrt(squares / count), sum / count, largest };
 }
 
-/// Errors by (k, o), with the spline and, under k = 4 alone, without it: (-4, o).
+/// Errors by (k, o) with the spline, and by (-4, o) without it, which is computed for k = 4 only.
 std::map<std::pair<int, int>, Error> Table(const char* name, const oracle::OracleField& field)
 {
   const HeightField posts = FieldOf(field);
@@ -77,11 +78,11 @@ std::map<std::pair<int, int>, Error> Table(const char* name, const oracle::Oracl
   return errors;
 }
 
-// SN08, figures 3, 4 and 10: larger k and o come closer to the truth; the bounds are a tenth above what
-// was measured.
+// SN08, figures 3, 4 and 10: with larger k and o the errors decrease. The bounds are 10 % above the
+// measured values.
 TEST(PyramidError, OfFractalHills)
 {
-  // The slopes of 1500 m of relief on 1024 posts.
+  // The slopes of a relief of 1500 m on 1024 posts.
   auto errors = Table("fractal", shapes::Fractal(256, 256, 30.0, 375.0, 1));
   EXPECT_LT((errors[{ 4, 2 }].Rmse), 1.5);
   EXPECT_LT((errors[{ 8, 8 }].Rmse), (errors[{ 4, 4 }].Rmse));

@@ -19,7 +19,7 @@ namespace testing
 namespace
 {
 
-/// Degrees: what StoreAccumulator promises, 1.4e-7 rad.
+/// Degrees: the accuracy of StoreAccumulator, 1.4e-7 rad.
 constexpr double ElevationBound = 8.0e-6;
 
 std::vector<float> Degrees(const std::vector<float>& slopes)
@@ -72,7 +72,8 @@ TEST(StoreAccumulator, ArcTangentOfEveryMagnitude)
     });
 }
 
-// Rows shorter than a block of posts, and of two blocks and a rest; in runs across their borders.
+// Rows that are shorter than a block of posts, or consist of two blocks and a remainder, added in
+// runs across their borders.
 class StoreLayouts : public ::testing::TestWithParam<std::tuple<std::ptrdiff_t, std::ptrdiff_t>>
 {
 };
@@ -96,7 +97,7 @@ TEST_P(StoreLayouts, HoldTheSame)
       {
         slopes.push_back(static_cast<float>(i - 9) * 0.3f + static_cast<float>(k + 10 * row));
       }
-      // In one run, and in three.
+      // In one run, and in three runs.
       apart.Add(row, 0, columns, slopes.data());
       sideBySide.Add(row, 0, 1, slopes.data());
       sideBySide.Add(row, 1, columns - 2, slopes.data() + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What terrain leaves of a lamp's circle in one vertical plane: against rays of that plane.
+// The visible part of a lamp's circle in one vertical plane, compared with rays in this plane.
 #include "Lamps/LampChord.h"
 #include "Reference/Shapes.h"
 #include "Shared/Constants.h"
@@ -18,15 +18,15 @@ namespace testing
 namespace
 {
 
-using Profile = std::vector<std::pair<double, double>>; // distance, height; from (0, 0) on
+using Profile = std::vector<std::pair<double, double>>; // distance and height, starting at (0, 0)
 
 constexpr int Rays = 20000;
 
-/// A ray more or less at each edge of what is visible, of which there are a few, times the greatest
-/// light of a ray; the facing is at most 1.
+/// One ray more or less at each edge of the visible parts, of which there are a few, times the
+/// greatest light of a ray. The facing is at most 1.
 constexpr double RayBound = 8.0 * Pi / Rays;
 
-/// Light of the circle by rays: a ray ends at its first point of the circle.
+/// The light of the circle by rays. A ray ends at its first point of the circle.
 double ByRays(double along, double up, double circle, const LampFacing& facing,
   const Profile& profile, bool shadowed)
 {
@@ -62,7 +62,7 @@ double ByRays(double along, double up, double circle, const LampFacing& facing,
   return light;
 }
 
-/// The visible light by the chord, walked through the profile.
+/// The visible light by LampChord, which is moved along the profile.
 double ByChord(LampChord& chord, const Profile& profile)
 {
   chord.Start(profile[1].second / profile[1].first);
@@ -83,8 +83,8 @@ TEST(LampChord, SeesWhatRaysSee)
   int partly = 0;
   for (int trial = 0; trial < 1500; ++trial)
   {
-    // Rough terrain in steps of 1 or so, and a circle over it, in it, around the post's vertical or
-    // below.
+    // Rough terrain in steps of about 1, and a circle above it, in it, around the vertical through
+    // the post, or below.
     Profile profile{ { 0.0, 0.0 } };
     const double rough = std::pow(10.0, 2.0 * random() - 1.0);
     const bool cliffs = random() < 0.4;
@@ -118,11 +118,11 @@ TEST(LampChord, SeesWhatRaysSee)
       partly += lit > 0.05 * whole && lit < 0.95 * whole ? 1 : 0;
     }
   }
-  EXPECT_GT(partly, 100); // the trials are worth their name
+  EXPECT_GT(partly, 100); // enough trials are partly in shadow
 }
 
-// A circle that stands on the post's vertical but for rounding, to either side: its tangents lean
-// ahead, and no slope divides by nothing.
+// A circle that touches the vertical through the post, up to rounding, from either side: its
+// tangents lean forward, and no slope is divided by 0.
 TEST(LampChord, TouchesTheVertical)
 {
   const Profile profile{ { 0.0, 0.0 }, { 1.0, 0.4 }, { 1.5, 3.0 }, { 2.5, -2.0 }, { 9.0, -9.0 } };
@@ -131,7 +131,7 @@ TEST(LampChord, TouchesTheVertical)
     for (const double beyond : { -1e-15, 0.0, 1e-15 })
     {
       const double along = 3.0 * (1.0 + beyond);
-      const double tangent = 4.0 * (1.0 + 1e-14); // of a length that rounding made too great
+      const double tangent = 4.0 * (1.0 + 1e-14); // of a length that rounding made too large
       const LampFacing facing{ std::cos(1.2), std::copysign(std::sin(1.2), -up) };
       std::feclearexcept(FE_ALL_EXCEPT);
       LampChord chord;
@@ -159,9 +159,9 @@ TEST(LampChord, TerrainBehindAndInsideHidesNothing)
   LampChord chord;
   ASSERT_TRUE(chord.Set(10.0, 3.0, 2.0, std::sqrt(105.0), { 1.0, 0.0 }));
   chord.Piece(12.0, 0.0, 12.1, 1000.0); // a wall behind
-  chord.Piece(10.5, 2.5, 10.6, 3.5);    // a stump inside, beyond both tangents
+  chord.Piece(10.5, 2.5, 10.6, 3.5);    // a short obstacle inside, beyond both tangents
   EXPECT_EQ(chord.Lit(), chord.Whole());
-  EXPECT_TRUE(chord.Piece(5.0, 0.0, 5.1, 1.6)); // in front, half way up
+  EXPECT_TRUE(chord.Piece(5.0, 0.0, 5.1, 1.6)); // in front, half of the height
   EXPECT_LT(chord.Lit(), chord.Whole());
   EXPECT_GT(chord.Lit(), 0.0);
   EXPECT_FALSE(chord.Piece(6.0, 0.0, 6.1, 1000.0));

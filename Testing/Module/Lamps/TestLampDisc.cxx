@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The irradiance of an unshadowed lamp: closed form against quadrature, and its limits.
+// The irradiance of a lamp without shadow: the closed form compared with quadrature, and limits of
+// the formula.
 #include "Lamps/Lamp.h"
 #include "Shared/Constants.h"
 
@@ -16,20 +17,21 @@ namespace testing
 namespace
 {
 
-/// The closed form against the quadrature below, of irradiances up to pi.
+/// The closed form compared with the quadrature below, for irradiances up to pi.
 constexpr double QuadratureBound = 1.0e-7;
 
-/// A few roundings of numbers near 1.
+/// The error of a few roundings of numbers near 1.
 constexpr double RoundingBound = 1.0e-14;
 
-/// The irradiance of a disc of angular radius s around the direction at the angle t from the normal:
-/// over rings about the normal, on each of which the disc takes an arc of half width w, cos w =
-/// (cos s - cos t cos r) / (sin t sin r). 2 Int w cos r sin r dr over r up to the plane; midpoints
-/// in an angle that makes the square roots at the arc's ends smooth.
+/// The irradiance of a disc with the angular radius s around the direction at the angle t from the
+/// normal, by rings around the normal. On the ring r the disc covers an arc of half width w, with
+/// cos w = (cos s - cos t cos r) / (sin t sin r). The irradiance is the integral of 2 w cos r sin r
+/// over r up to the plane.
+/// Midpoints in an angle that makes the square roots at the ends of the arc smooth.
 double ByRings(double s, double t)
 {
   const int steps = 200000;
-  // Rings from |t - s| to t + s; those nearer to the normal than s - t are whole.
+  // Rings from |t - s| to t + s. Those nearer to the normal than s - t are full circles.
   const double whole = std::max(0.0, s - t);
   const double wholeEnd = std::min(whole, 0.5 * Pi);
   double sum = Pi * std::sin(wholeEnd) * std::sin(wholeEnd);
@@ -57,7 +59,7 @@ TEST(LampDisc, IrradianceIsTheIntegralForEveryTilt)
     for (const double t : { 0.0, 0.3, 0.5 * Pi - 0.1, 0.5 * Pi, 1.7, 2.5, Pi })
     {
       const LampDisc disc{ std::sin(s), std::cos(s) };
-      // The ring at which the plane cuts in the middle of a step costs that step.
+      // If the plane cuts a step in its middle, the ring of this step is lost.
       const double bound = QuadratureBound + 2.0 * s / 200000.0 * s;
       EXPECT_NEAR(DiscIrradiance(disc, std::cos(t)), ByRings(s, t), bound) << s << " " << t;
     }
@@ -66,7 +68,7 @@ TEST(LampDisc, IrradianceIsTheIntegralForEveryTilt)
 
 TEST(LampDisc, HalfAPlane)
 {
-  // A lamp whose centre lies in the receiver's plane: half of the disc; s - sin s cos s by
+  // A lamp whose centre lies in the plane of the receiver: half of the disc, s - sin s cos s, by
   // integration of sin^2 over it.
   for (const double s : { 0.01, 0.4, 1.2, 0.5 * Pi })
   {
@@ -77,7 +79,8 @@ TEST(LampDisc, HalfAPlane)
 
 TEST(LampDisc, JoinsAtItsCases)
 {
-  // The formulas for the whole and the cut disc meet at t = 90 degrees - s, and 0 at 90 + s.
+  // The formulas for the whole disc and for the cut disc agree at t = 90 degrees - s. The latter is
+  // 0 at 90 degrees + s.
   for (const double s : { 0.01, 0.4, 1.2 })
   {
     const LampDisc disc{ std::sin(s), std::cos(s) };
@@ -93,13 +96,13 @@ TEST(LampDisc, IsContinuousOnTheWayIntoTheLamp)
 {
   for (const double cosine : { -1.0, -0.7, 0.0, 0.2, 1.0 })
   {
-    // On the skin: the half space.
+    // At the surface of the lamp, light comes from a half space.
     const double skin = 0.5 * Pi * (1.0 + cosine);
     EXPECT_NEAR(DiscIrradiance(DiscOfLamp(5.0, 5.0), cosine), skin, RoundingBound);
-    // The angle changes as the square root of the way, 2e-9 radius: 6e-5.
+    // The angle changes with the square root of the distance, which is 2e-9 of the radius: 6e-5.
     EXPECT_NEAR(DiscIrradiance(DiscOfLamp(5.0, 5.0 * (1.0 + 1e-9)), cosine), skin, 2.0e-4);
     EXPECT_NEAR(DiscIrradiance(DiscOfLamp(5.0, 5.0 * (1.0 - 1e-9)), cosine), skin, 2.0e-4);
-    // At the centre light comes from everywhere, and so nothing depends on the direction to it.
+    // At the centre light comes from all directions, so the direction to the lamp has no effect.
     EXPECT_NEAR(DiscIrradiance(DiscOfLamp(5.0, 0.0), cosine), Pi, RoundingBound);
     EXPECT_NEAR(DiscIrradiance(DiscOfLamp(5.0, 1e-6), cosine), Pi, 1.0e-12);
   }
@@ -121,7 +124,7 @@ TEST(LampDisc, NoRadiusNoLight)
 {
   EXPECT_EQ(DiscIrradiance(DiscOfLamp(0.0, 10.0), 1.0), 0.0);
   EXPECT_EQ(DiscIrradiance(DiscOfLamp(0.0, 0.0), 1.0), 0.0);
-  // On the way there as the square of the radius, to the last digit.
+  // Towards this limit, the irradiance follows the square of the radius to the last digit.
   for (const double radius : { 1e-3, 1e-8, 1e-100 })
   {
     EXPECT_NEAR(DiscIrradiance(DiscOfLamp(radius, 2.0), 0.6) / (0.15 * Pi * radius * radius), 1.0,
@@ -131,7 +134,7 @@ TEST(LampDisc, NoRadiusNoLight)
 
 TEST(LampDisc, FarAwayKeepsItsDigits)
 {
-  // 1 degree of arc at any distance.
+  // An angular radius of 1 degree at any distance.
   const double sine = std::sin(RadiansPerDegree);
   for (const double distance : { 1.0, 1e6, 1e15 })
   {

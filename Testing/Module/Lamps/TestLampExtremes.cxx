@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lamps under, in, far above and all around the ground: defined, and continuous on the way there.
+// Lamps below the ground, in it, far above it and around all of it: the light is defined and
+// changes continuously.
 #include "Reference/LampScene.h"
 #include "Sun/SunAccumulator.h"
 
@@ -14,7 +15,7 @@ namespace testing
 namespace
 {
 
-/// What planes and bisection may cost, of the unshadowed irradiance.
+/// The error of the planes and of the bisection, relative to the irradiance without shadow.
 constexpr double PlaneBound = 0.005;
 
 oracle::OracleField Hills()
@@ -49,8 +50,8 @@ TEST(LampExtremes, LightIsContinuousInEveryParameter)
       return scene.Light({ (1.0 - u) * way.From.Centre + u * way.To.Centre,
         (1.0 - u) * way.From.Radius + u * way.To.Radius });
     };
-    // The step with the greatest change of all posts, then its parts: a jump would stay as it is,
-    // what sets in as a square root falls to 0.35 with eighths.
+    // Finds the step with the greatest change of all posts, then the greatest change of its parts.
+    // A jump would keep its size; a change like a square root falls to 0.35 with each eighth.
     double begin = 0.0, end = 1.0, first = 0.0, change = 0.0;
     for (int round = 0; round < 4; ++round)
     {
@@ -94,7 +95,7 @@ TEST(LampExtremes, BelowTheGroundIsDark)
   {
     EXPECT_EQ(light, 0.0f);
   }
-  // A level plain hides all below it, and half of a lamp at its own height.
+  // A level plain hides all light from below it, and half of a lamp at its own height.
   const LampScene plain(shapes::Plane(17, 17, 10.0, 0.0, 0.0));
   for (const double height : { -5.0, 0.0 })
   {
@@ -110,7 +111,8 @@ TEST(LampExtremes, BelowTheGroundIsDark)
 
 TEST(LampExtremes, BehindALampTerrainDoesNotHideIt)
 {
-  // A wall of 200 m right behind the lamp: the posts in front see all of it, those behind nothing.
+  // A wall of 200 m right behind the lamp: the posts in front see the whole lamp, those behind see
+  // nothing.
   const LampScene scene(shapes::Wall(33, 33, 10.0, 200.0, 20, 3));
   const oracle::Ball ball{ { 170.0, 160.0, 15.0 }, 10.0 };
   const std::vector<float> light = scene.Light(ball, true);
@@ -134,8 +136,8 @@ TEST(LampExtremes, BehindALampTerrainDoesNotHideIt)
 TEST(LampExtremes, ReceiversInsideTheLamp)
 {
   const LampScene plain(shapes::Plane(17, 17, 10.0, 0.0, 0.0));
-  // Level ground through the centre: all light of the upper hemisphere at the centre, pi; on the
-  // plain the closed form anywhere, for the plain is the receivers' own plane.
+  // Level ground through the centre. At the centre a post gets all light of the upper hemisphere,
+  // pi. Elsewhere the closed form holds, because the plain is the plane of the receivers.
   const oracle::Ball ball{ { 80.0, 80.0, 0.0 }, 55.0 };
   const std::vector<float> light = plain.Light(ball);
   EXPECT_NEAR(light[plain.Truth.Index(8, 8)], Pi, 1e-6);
@@ -143,7 +145,7 @@ TEST(LampExtremes, ReceiversInsideTheLamp)
   {
     EXPECT_NEAR(light[static_cast<std::size_t>(k)], plain.Unshadowed(ball, k % 17, k / 17), 1e-5);
   }
-  // Rough ground inside: the post's own facets hide, what lies further off does not.
+  // Rough ground inside the lamp: only the facets at the post hide light, not terrain farther away.
   const LampScene hills(Hills());
   const oracle::Ball around{ { 160.0, 160.0, 50.0 }, 1000.0 };
   const std::vector<float> inside = hills.Light(around);
@@ -157,7 +159,7 @@ TEST(LampExtremes, ReceiversInsideTheLamp)
 
 TEST(LampExtremes, OverAPostNoAzimuthIsSpecial)
 {
-  // Exactly above: turning the lamp a little aside, any way, changes nothing.
+  // Exactly above a post: moving the lamp slightly to any side changes nothing.
   const oracle::OracleField hills = Hills();
   const LampScene scene(hills);
   const std::size_t post = hills.Index(16, 16);
@@ -180,8 +182,8 @@ TEST(LampExtremes, RadiusTendsToZero)
   const LampScene scene(Hills());
   const oracle::Vector3 place{ 163.0, 161.0, 80.0 };
   EXPECT_EQ(scene.Light({ place, 0.0 }), std::vector<float>(33 * 33, 0.0f));
-  // Per solid angle the light tends to that of a point: the same lit part for two small radii,
-  // except where the shadow's edge lies between.
+  // Per solid angle, the light tends to that of a point: two small radii have the same visible
+  // part, except where the edge of the shadow lies between them.
   const std::vector<float> small = scene.Light({ place, 1e-3 });
   const std::vector<float> smaller = scene.Light({ place, 1e-6 });
   int differ = 0;
@@ -194,7 +196,8 @@ TEST(LampExtremes, RadiusTendsToZero)
 
 TEST(LampExtremes, FarAwayItIsTheSun)
 {
-  // One degree of lamp at growing distance against the sun accumulator over exact horizons.
+  // A lamp of one degree at increasing distance, compared with the sun accumulator over exact
+  // horizons.
   const oracle::OracleField hills = Hills();
   const LampScene scene(hills);
   const double azimuth = 0.9, elevation = 0.2, radius = 0.01;
@@ -239,13 +242,13 @@ TEST(LampExtremes, FarAwayItIsTheSun)
     EXPECT_LE(rms, before + 1e-6);
     before = rms;
   }
-  // The sun's azimuths err more than the lamp's planes do.
+  // The azimuths of the sun have greater errors than the planes of the lamp.
   EXPECT_LT(before, 0.01);
 }
 
 TEST(LampExtremes, TheBodySinksUnderLampAndTerrain)
 {
-  // Seen from one post, a sinking body is the field and the lamp lowered by c d^2.
+  // Seen from one post, curvature has the effect of a field and a lamp that are lowered by c d^2.
   oracle::OracleField round = Hills();
   round.Sink = 1.0e-3; // a body of 500 m
   oracle::OracleField lowered = round;
@@ -284,17 +287,18 @@ TEST(LampExtremes, MissingPosts)
     EXPECT_EQ(std::isnan(light[post]), !std::isfinite(holes.Heights[post])) << post;
     if (std::isfinite(holes.Heights[post]))
     {
-      // Less terrain, no more shadow; float rounding about two different bases.
+      // With less terrain there is no more shadow, except for the rounding of floats relative to
+      // two different bases.
       EXPECT_GE(after[post], before[post] * (1.0f - 0.005f) - 1e-5f) << post;
     }
   }
-  // Nothing but holes, and the smallest of fields.
+  // A field of missing posts only, and the smallest field.
   oracle::OracleField none(5, 4, 1.0, 1.0);
   for (double& height : none.Heights)
   {
     height = std::numeric_limits<double>::quiet_NaN();
   }
-  none.At(2, 2) = 1.0; // a post without a surface still receives
+  none.At(2, 2) = 1.0; // a post without a surface is a receiver nevertheless
   const LampScene lonely(none);
   const oracle::Ball over{ { 2.0, 2.0, 4.0 }, 1.0 };
   const std::vector<float> single = lonely.Light(over, true);
@@ -306,7 +310,8 @@ TEST(LampExtremes, MissingPosts)
 
 TEST(LampExtremes, ScalesAndAspects)
 {
-  // Spacing, heights and lamp scaled together change nothing; posts 1000 times longer than wide.
+  // Scaling the spacing, the heights and the lamp together changes nothing. Here posts are 1000
+  // times longer than wide.
   const oracle::OracleField hills = Hills();
   const std::vector<float> truth = LampScene(hills).Light({ { 163.0, 161.0, 90.0 }, 12.0 });
   for (const double scale : { 1e-6, 1e6 })

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lamps by spherical harmonics against direct integration over the lamp's disc: THESIS's scenes,
-// orders 2 to 8.
+// Lamps by spherical harmonics of the orders 2 to 8, compared with direct integration over the
+// lamp's disc: the scenes of THESIS.
 #include "Harmonics/HarmonicProduct.h"
 #include "Reference/LampHarmonics.h"
 #include "Reference/LampPyramid.h"
@@ -59,7 +59,7 @@ std::vector<float> Exact(const LampScene& scene, const std::vector<oracle::Ball>
   return sum;
 }
 
-/// Root mean square difference over root mean square of the truth.
+/// The root mean square difference divided by the root mean square of the reference.
 double RelativeRms(const std::vector<float>& light, const std::vector<float>& truth)
 {
   double difference = 0.0, size = 0.0;
@@ -73,7 +73,7 @@ double RelativeRms(const std::vector<float>& light, const std::vector<float>& tr
 
 TEST(LampHarmonics, ZonalCoefficientsAreThoseOfTheThesis)
 {
-  // THESIS A.1, derived again: Int_cos^1 sqrt((2 l + 1) pi) P_l(x) dx.
+  // THESIS A.1, derived independently: the integral of sqrt((2 l + 1) pi) P_l(x) from cos to 1.
   for (const double angle : { 1e-3, 0.1, 0.7, 1.5, 2.5, Pi })
   {
     const double c = std::cos(angle), s2 = std::sin(angle) * std::sin(angle);
@@ -98,7 +98,8 @@ TEST(LampHarmonics, TheSmallestLampKeepsItsDigits)
     for (int l = 0; l < 8; ++l)
     {
       const double point = std::sqrt((2.0 * l + 1.0) / (4.0 * Pi)) * Pi * sine * sine;
-      // l (l + 1) s^2 / 8 of a disc's size, and what the cap's formula cancels at 1e-4.
+      // l (l + 1) s^2 / 8 from the size of the disc, and the cancellation in the formula of the cap
+      // at 1e-4.
       EXPECT_NEAR(zonal[l] / point, 1.0, 10.0 * sine * sine + 1e-7) << sine << " " << l;
     }
   }
@@ -106,13 +107,13 @@ TEST(LampHarmonics, TheSmallestLampKeepsItsDigits)
 
 TEST(LampHarmonics, UnshadowedLightIsItsSeries)
 {
-  // High above a plain nothing hides: the light is the product of the two zonal series, whose error
-  // is that of the clamped cosine cut off; the sum over bands of A_l L_l P_l.
+  // High above a plain nothing hides the lamp. The light is the product of the two zonal series,
+  // the sum over bands of A_l L_l P_l, and its error is that of the truncated clamped cosine.
   const LampScene plain(shapes::Plane(9, 9, 10.0, 0.0, 0.0));
   const oracle::Ball ball{ { 47.0, 33.0, 60.0 }, 30.0 };
   const std::vector<float> exact = plain.Light(ball);
   double before = 1.0;
-  for (const int bands : { 2, 3, 5, 7 }) // the cosine's odd bands above 1 are 0
+  for (const int bands : { 2, 3, 5, 7 }) // the odd bands of the cosine above 1 are 0
   {
     LampHarmonicSettings settings;
     settings.Bands = bands;
@@ -152,7 +153,8 @@ TEST(LampHarmonics, ErrorByOrder)
         std::printf(" %7.3f", errors[bands]);
       }
       std::printf("\n");
-      // The city's street lamps are the hardest: a third more than what is measured there.
+      // The street lamps of the city are the hardest case. The bounds are a third above the values
+      // measured there.
       EXPECT_LT(errors[4], 0.22) << scene.Name;
       EXPECT_LT(errors[8], 0.11) << scene.Name;
       EXPECT_LT(errors[8], 0.5 * errors[2]) << scene.Name;
@@ -162,7 +164,8 @@ TEST(LampHarmonics, ErrorByOrder)
 
 TEST(LampHarmonics, ErrorByAzimuths)
 {
-  // THESIS figure 6.1: cones v2, order 4, the number of azimuths; here against order 4 with 256.
+  // THESIS figure 6.1: cones v2, order 4, by the number of azimuths. Here compared with order 4 and
+  // 256 azimuths.
   const ThesisScene scene = ThesisScenes(65)[2];
   const LampScene kernel(scene.Field);
   LampHarmonicSettings settings;
@@ -181,8 +184,8 @@ TEST(LampHarmonics, ErrorByAzimuths)
 
 TEST(LampHarmonics, ErrorByLevelStep)
 {
-  // THESIS figure 6.2: cones v2, order 4, 32 azimuths, horizons by the pyramid, 1 to 4 levels an
-  // octave; here against the exact horizons in front of the lamp.
+  // THESIS figure 6.2: cones v2, order 4, 32 azimuths, horizons by the pyramid with 1 to 4 levels
+  // per octave. Here compared with the exact horizons in front of the lamp.
   const ThesisScene scene = ThesisScenes(65)[2];
   const LampScene kernel(scene.Field);
   const std::vector<float> exact = ByHarmonics(kernel, scene.Lamps, LampHarmonicSettings());
@@ -193,7 +196,7 @@ TEST(LampHarmonics, ErrorByLevelStep)
     LampHarmonicSettings settings;
     settings.Pyramid = &pyramid;
     settings.Levels.LevelStep = step;
-    settings.Levels.LevelOffset = 4.0; // as in the thesis's figures
+    settings.Levels.LevelOffset = 4.0; // as in the figures of THESIS
     errors[step] = RelativeRms(ByHarmonics(kernel, scene.Lamps, settings), exact);
     std::printf("cones v2, order 4, %d levels an octave: %.4f\n", step, errors[step]);
   }
@@ -203,14 +206,14 @@ TEST(LampHarmonics, ErrorByLevelStep)
 
 TEST(LampHarmonics, PyramidHorizonsOfAPlane)
 {
-  // The finest level of an inclined plane is that plane: horizons of either sign.
+  // The finest level of an inclined plane is this plane, so its horizons have both signs.
   const oracle::OracleField field = shapes::Plane(65, 65, 10.0, 0.3, 0.0);
   const LampScene scene(field);
   const HeightPyramid pyramid(scene.Field, 4.0);
   Lamp lamp;
   lamp.X = lamp.Y = 320.0;
   PyramidSettings settings;
-  settings.LevelOffset = 16.0; // the finest level throughout
+  settings.LevelOffset = 16.0; // uses the finest level everywhere
   std::vector<float> slopes(65 * 65);
   for (const double side : { 1.0, -1.0 })
   {
@@ -228,7 +231,8 @@ TEST(LampHarmonics, PyramidHorizonsOfAPlane)
 
 TEST(LampHarmonics, HorizonsEndAtTheLamp)
 {
-  // A wall behind the lamp does not count, one before it does; from high ground they are below 0.
+  // A wall behind the lamp does not count, one in front of it does. Seen from high ground the
+  // horizons are negative.
   const oracle::OracleField wall = shapes::Wall(33, 33, 10.0, 50.0, 20, 3);
   const LampScene scene(wall);
   Lamp lamp;

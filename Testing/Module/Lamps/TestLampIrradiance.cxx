@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shadowed lamps against rays shot at the triangles: 1e5 rays a post, a few dozen posts in all.
+// Lamps with shadows, compared with rays that are tested against the triangles: 1e5 rays per post,
+// a few dozen posts in all.
 #include "Reference/LampScene.h"
 
 #include <gtest/gtest.h>
@@ -11,12 +12,12 @@ namespace testing
 namespace
 {
 
-/// What the issue asks for: 1 % of what the post gets without terrain. The rays' own error is 0.05 %
-/// (they are stratified; between 1e4 and 1e5 rays a post the greatest difference fell from 1.6 % to
-/// 0.3 %), the planes' 0.2 % (32 planes, then bisected).
+/// 1 % of the irradiance that the post would get without terrain. The error of the rays is 0.05 %
+/// (they are stratified; from 1e4 to 1e5 rays per post, the greatest difference fell from 1.6 % to
+/// 0.3 %). The error of the planes is 0.2 % (32 planes with bisection).
 constexpr double MonteCarloBound = 0.01;
 
-/// Of all posts of a scene: root mean square.
+/// The root mean square over all posts of a scene.
 constexpr double MonteCarloRms = 0.002;
 
 constexpr int RaysPerSide = 316; // 1e5 rays
@@ -92,15 +93,16 @@ TEST(LampIrradiance, IsThatOfRays)
 
 TEST(LampIrradiance, UnshadowedIsTheClosedForm)
 {
-  // A dome: every post looks over all others, and many have a part of the lamp below their plane.
+  // A dome: each post sees above all others, and for many posts a part of the lamp lies below their
+  // plane.
   const oracle::OracleField dome = shapes::Paraboloid(33, 33, 10.0, -0.002);
   const LampScene scene(dome);
   for (const double height : { 5.0, 40.0, 300.0 })
   {
     const oracle::Ball ball{ { 251.0, 180.0, height }, 0.8 * height };
     const std::vector<float> light = scene.Light(ball);
-    // Whatever lies above the convex ground is above the plane of every post, but for the posts'
-    // own facets, which differ from it by the curvature over a cell.
+    // All points above the convex ground lie above the plane of each post, except for the facets at
+    // the post, which differ from the plane by the curvature over one cell.
     for (std::ptrdiff_t j = 1; j < 32; ++j)
     {
       for (std::ptrdiff_t i = 1; i < 32; ++i)
@@ -110,7 +112,7 @@ TEST(LampIrradiance, UnshadowedIsTheClosedForm)
       }
     }
   }
-  // On level ground the facets are the plane, and nothing differs.
+  // On level ground the facets lie in the plane, and there is no difference.
   const oracle::OracleField plain = shapes::Plane(17, 17, 10.0, 0.0, 0.0);
   const LampScene level(plain);
   const oracle::Ball ball{ { 81.0, 77.0, 20.0 }, 19.0 };
@@ -125,7 +127,7 @@ TEST(LampIrradiance, UnshadowedIsTheClosedForm)
   }
 }
 
-/// A bilinear surface cut fine x fine a cell is a field of triangles.
+/// Divides each cell of a bilinear surface into fine x fine cells of triangles.
 oracle::OracleField Cut(const oracle::OracleField& coarse, std::ptrdiff_t fine)
 {
   const std::ptrdiff_t columns = coarse.Columns - 1, rows = coarse.Rows - 1;
@@ -147,8 +149,8 @@ oracle::OracleField Cut(const oracle::OracleField& coarse, std::ptrdiff_t fine)
 
 TEST(LampIrradiance, BilinearIsTheLimitOfTriangles)
 {
-  // A patch falls away from its post within the first of the triangles: an error of the first order
-  // in their size, so two sizes give the limit.
+  // At its post, a bilinear patch curves away from the first triangle. The error is proportional to
+  // the size of the triangles, so two sizes give the limit.
   oracle::OracleField coarse = shapes::Fractal(17, 17, 16.0, 60.0, 9);
   coarse.Through = Surface::Bilinear;
   const oracle::OracleField eighths = Cut(coarse, 8), sixteenths = Cut(coarse, 16);
@@ -194,7 +196,7 @@ TEST(LampIrradiance, RangesAndLampsAddUp)
   {
     add(row, row + 1, parts);
   }
-  EXPECT_EQ(whole, parts); // the same bits whatever the ranges
+  EXPECT_EQ(whole, parts); // the same bits for any ranges
   for (std::size_t post = 0; post < 33 * 33; ++post)
   {
     EXPECT_NEAR(whole[3 * post + 1] - 2.0f, 0.5f * (whole[3 * post] - 2.0f), 1e-6);
@@ -207,7 +209,7 @@ TEST(LampIrradiance, OnlyTheSwathIsWalked)
   const oracle::OracleField hills = shapes::Fractal(33, 33, 10.0, 100.0, 4);
   const LampScene scene(hills);
   Lamp lamp;
-  lamp.X = lamp.Y = 165.0; // between posts: it stands over none of them
+  lamp.X = lamp.Y = 165.0; // between posts, so not over any of them
   std::vector<float> rgb(3 * 33 * 33, 0.0f);
   const auto work = [&](double z, double radius)
   {
@@ -218,14 +220,14 @@ TEST(LampIrradiance, OnlyTheSwathIsWalked)
       scene.Settings, 0, 33, rgb.data(), done);
     return done;
   };
-  EXPECT_EQ(work(60.0, 0.0).Posts, 0); // no light, no look
+  EXPECT_EQ(work(60.0, 0.0).Posts, 0); // without light there is no work
   EXPECT_EQ(work(60.0, 0.0).Planes, 0);
   const LampWork high = work(5000.0, 4.0);
   EXPECT_GT(high.Posts, 1000);
-  EXPECT_EQ(high.Planes, 0); // nothing stands that high: no plane is walked
+  EXPECT_EQ(high.Planes, 0); // no terrain is that high, so no plane is searched
   const LampWork low = work(10.0, 4.0);
   EXPECT_GT(low.Planes, 0);
-  EXPECT_LT(low.Posts, 33 * 33); // posts that look away are left out
+  EXPECT_LT(low.Posts, 33 * 33); // posts that face away are skipped
 }
 
 } // namespace

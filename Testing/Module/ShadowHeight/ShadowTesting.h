@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shadow heights by the oracle of horizons, and what floats may differ by.
+// Shadow heights by the oracle, and the differences that the rounding of floats allows.
 #ifndef skyline_ShadowTesting_h
 #define skyline_ShadowTesting_h
 
@@ -15,12 +15,12 @@ namespace skyline
 namespace testing
 {
 
-/// The bracket ends 2^-40 as wide as it was.
+/// The final interval is 2^-40 of the first one.
 constexpr int Halvings = 40;
 
-/// The height at which the horizon of a point above the post (column, row) sinks to the slope of the
-/// light, by bisection: the definition. -infinity where no terrain lies in that direction. The field
-/// is the same afterwards.
+/// The height at which the horizon of a point above the post (column, row) has the slope of the
+/// light, by bisection; this is the definition. -infinity if there is no terrain in that direction.
+/// The field is restored afterwards.
 inline double ShadowHeightOf(oracle::OracleField& field, std::ptrdiff_t column, std::ptrdiff_t row,
   double azimuth, double slope)
 {
@@ -50,9 +50,9 @@ inline double ShadowHeightOf(oracle::OracleField& field, std::ptrdiff_t column, 
   return high;
 }
 
-/// Floats in the sum  w a + (1 - w) b - fall  are rounded to 2^-24 of their size: the heights about the
-/// middle of the relief, and a fall that is no more than relief and depth of the shadow together. Six
-/// roundings at the most, and the bracket of a level field.
+/// The sum  w a + (1 - w) b - fall  in floats is rounded to 2^-24 of its terms: the heights
+/// relative to the middle of the relief, and a fall that is at most the relief plus the depth of
+/// the shadow. At most six roundings, plus the final interval of the bisection for a level field.
 inline double HeightBound(const oracle::OracleField& field, double shadow)
 {
   const double base = BaseOf(field);

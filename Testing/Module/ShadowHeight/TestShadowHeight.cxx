@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shadow heights against the oracle of horizons, on every processor target.
+// Shadow heights compared with the oracle, with all instruction sets of the processor.
 #include "ShadowTesting.h"
 #include "Testing/Module/ProcessorTargets.h"
 
@@ -16,7 +16,7 @@ namespace testing
 namespace
 {
 
-// Axes, diagonals, and both sides of them in all octants.
+// Axes and diagonals, and both sides of them in all octants.
 const std::vector<double> Azimuths{ 0.0, 17.0, 45.0, 62.0, 90.0, 101.0, 135.0, 158.0, 180.0, 203.0,
   225.0, 250.0, 270.0, 284.0, 315.0, 341.0 };
 
@@ -86,7 +86,8 @@ struct Sample
   double Expected; // metres
 };
 
-// 67 posts of every direction, never the same; elevations from the horizontal plane to the zenith.
+// 67 posts for each direction, other ones each time. Elevations from the horizontal plane to the
+// zenith.
 std::vector<Sample> SamplesOf(oracle::OracleField& field)
 {
   std::vector<Sample> samples;
@@ -147,7 +148,7 @@ TEST_P(ShadowHeightOfScene, IsThatOfTheOracle)
 INSTANTIATE_TEST_SUITE_P(Every, ShadowHeightOfScene, ::testing::ValuesIn(Scenes()),
   [](const auto& scene) { return std::string(scene.param.Name); });
 
-// The same bits whatever the ranges of lines and lanes.
+// The bits are the same for all ranges of lines and lanes.
 TEST(ShadowHeight, DoesNotDependOnTheRange)
 {
   const oracle::OracleField field = shapes::Fractal(150, 140, 30.0, 1500.0, 3);
@@ -168,7 +169,8 @@ TEST(ShadowHeight, SlopeOfTheLight)
   EXPECT_EQ(ShadowSlope(0.5 * Pi), ShadowSlope(HighestShadowLight));
 }
 
-// The shadow of a ridge of height H, straight across the light, on a level plain: H - d tan(e).
+// The shadow of a ridge with the height H, straight across the light, on a level plain: H - d
+// tan(e).
 TEST(ShadowHeight, OfARidge)
 {
   oracle::OracleField field = shapes::Plane(301, 31, 2.0, 0.0, 0.0);
@@ -182,7 +184,7 @@ TEST(ShadowHeight, OfARidge)
   const std::vector<float> shadows = Slopes(method, GridOf(field), 90.0);
   for (std::ptrdiff_t column = 0; column < 300; ++column)
   {
-    // Or the plain right beside the post: a shadow of less than no height.
+    // Otherwise the plain beside the post casts the shadow, whose height is then negative.
     const double expected =
       std::max(100.0 - 2.0 * slope * static_cast<double>(300 - column), -2.0 * slope);
     EXPECT_NEAR(shadows[field.Index(column, 15)] + 50.0, expected, 1e-4) << column;

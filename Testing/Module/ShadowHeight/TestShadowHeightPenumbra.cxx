@@ -12,7 +12,7 @@ namespace testing
 namespace
 {
 
-constexpr double Exact = 1e-12; // closed forms in double
+constexpr double Exact = 1e-12; // closed forms in double precision
 
 TEST(ShadowHeightPenumbra, DepthAsPublished)
 {
@@ -32,7 +32,7 @@ TEST(ShadowHeightPenumbra, ChordOfADisc)
   EXPECT_NEAR(LitAboveChord(0.5), 1.0 / 3.0 - std::sqrt(3.0) / (4.0 * Pi), Exact);
 }
 
-// An edge of height h at distance d: from height z it stands at atan((h - z) / d).
+// An edge with the height h at the distance d: from the height z, it stands at atan((h - z) / d).
 TEST(ShadowHeightPenumbra, OfOneEdge)
 {
   const double elevation = 12.0 * RadiansPerDegree, radius = 0.5 * RadiansPerDegree;
@@ -59,7 +59,7 @@ TEST(ShadowHeightPenumbra, OfAPointIsAStep)
   EXPECT_EQ(sun.Lit(50.0, 50.0, 49.9), 0.0);
 }
 
-// What of a disc stands below the horizontal plane gives no light, however high the receiver.
+// The part of a disc below the horizontal plane gives no light, at any height of the receiver.
 TEST(ShadowHeightPenumbra, OfARisingSun)
 {
   const double radius = 0.25 * RadiansPerDegree;
@@ -72,7 +72,7 @@ TEST(ShadowHeightPenumbra, OfARisingSun)
   EXPECT_EQ(ShadowHeightPenumbra(0.0, radius).LowerSlope(), 0.0);
 }
 
-// Never NaN, never outside 0 to 1, and rising with height.
+// The result is never NaN, lies in 0 to 1, and increases with height.
 TEST(ShadowHeightPenumbra, RisesWithHeight)
 {
   for (const double elevation : { -0.01, 0.0, 0.001, 0.7, 1.55, 0.5 * Pi })

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The published recurrence: against itself in double precision, and against the exact shadow.
+// The published recurrence, compared with itself in double precision and with the exact shadow.
 #include "ShadowHeight/ShadowHeightSweep.h"
 #include "ShadowTesting.h"
 
@@ -17,8 +17,9 @@ namespace
 
 constexpr double Tangent = 0.3;
 
-// Lee & Kim's pseudo code of section 4, in double: z away from the light in the outer loop, x in the
-// inner one, for any quadrant; if the light crosses columns faster than rows, x and z change places.
+// The pseudo code of Lee & Kim, section 4, in double precision: the outer loop runs over z, away
+// from the light, the inner one over x, in any quadrant. If the light crosses columns faster than
+// rows, x and z are exchanged.
 std::vector<double> Published(const oracle::OracleField& field, double azimuth, double tangent)
 {
   const oracle::Direction light = oracle::DirectionOfAzimuth(azimuth);
@@ -35,7 +36,7 @@ std::vector<double> Published(const oracle::OracleField& field, double azimuth, 
   std::vector<double> shadow(field.Heights);
   const auto post = [&](std::ptrdiff_t x, std::ptrdiff_t z)
   {
-    const std::ptrdiff_t i = across > 0.0 ? width - 1 - x : x; // x and z count from the light
+    const std::ptrdiff_t i = across > 0.0 ? width - 1 - x : x; // x and z start at the light
     const std::ptrdiff_t j = along > 0.0 ? depth - 1 - z : z;
     return swapped ? field.Index(j, i) : field.Index(i, j);
   };
@@ -52,7 +53,7 @@ std::vector<double> Published(const oracle::OracleField& field, double azimuth, 
   return shadow;
 }
 
-// The heights of both shadows, cut off at the ground.
+// The heights of both shadows, at least those of the ground.
 std::vector<double> Shadows(HorizonMethod& method, const oracle::OracleField& field, double azimuth)
 {
   const std::vector<float> cast = Slopes(method, GridOf(field), azimuth);
@@ -65,7 +66,8 @@ std::vector<double> Shadows(HorizonMethod& method, const oracle::OracleField& fi
   return shadows;
 }
 
-// A rounding of 2^-24 of the relief for every line that hands it on: 1500 m, 120 lines.
+// A rounding error of 2^-24 of the relief for each line that the recurrence crosses: 1500 m, 120
+// lines.
 constexpr double SweepBound = 1500.0 * 6e-8 * 120.0;
 
 TEST(ShadowHeightSweep, IsAsPublishedInAllOctants)
@@ -85,7 +87,7 @@ TEST(ShadowHeightSweep, IsAsPublishedInAllOctants)
   }
 }
 
-// Rays that pass from post to post meet no edge between them higher: along the axes, and along the
+// Rays that run from post to post meet no higher edge between them: along the axes, and along the
 // diagonals of the cells.
 TEST(ShadowHeightSweep, IsExactFromPostToPost)
 {
@@ -104,8 +106,8 @@ TEST(ShadowHeightSweep, IsExactFromPostToPost)
   }
 }
 
-// Elsewhere its interpolation wears edges down: how much is measured, not promised. What holds is
-// that it neither loses the shadow nor invents much of one.
+// In other directions the interpolation lowers edges. The amount is measured and has no guaranteed
+// bound. The test checks that shadows are not lost and that few are added.
 TEST(ShadowHeightSweep, MissesByInterpolation)
 {
   const oracle::OracleField field = shapes::Fractal(257, 257, 30.0, 1500.0, 7);
@@ -133,7 +135,7 @@ TEST(ShadowHeightSweep, MissesByInterpolation)
   EXPECT_LT(differing / count, 0.05);
 }
 
-// A field turned by half has the same shadows of a light turned by half.
+// A field that is turned by 180 degrees has the same shadows if the light is turned too.
 TEST(ShadowHeightSweep, TurnsWithTheLight)
 {
   const oracle::OracleField field = shapes::Fractal(60, 71, 10.0, 300.0, 9);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Small light maps, and sums over them pixel by pixel.
+// Small light maps, and sums over their pixels.
 #ifndef skyline_LightMapTesting_h
 #define skyline_LightMapTesting_h
 
@@ -16,7 +16,7 @@ namespace skyline
 namespace testing
 {
 
-/// A map that owns its pixels, from the top.
+/// A map that owns its pixels, starting at the top.
 struct OwnedMap
 {
   OwnedMap(std::ptrdiff_t columns, std::ptrdiff_t rows)
@@ -35,7 +35,7 @@ struct OwnedMap
   std::vector<float> Values;
 };
 
-/// Radiances between 0 and 1, independent of each other.
+/// Independent random radiances between 0 and 1.
 inline OwnedMap RandomMap(std::ptrdiff_t columns, std::ptrdiff_t rows, unsigned seed)
 {
   OwnedMap map(columns, rows);
@@ -45,7 +45,7 @@ inline OwnedMap RandomMap(std::ptrdiff_t columns, std::ptrdiff_t rows, unsigned 
   return map;
 }
 
-/// Integral of radiance over the sphere.
+/// The integral of radiance over the sphere.
 inline std::array<double, 3> Energy(const LightMap& map)
 {
   std::array<double, 3> energy{};
@@ -62,8 +62,8 @@ inline std::array<double, 3> Energy(const LightMap& map)
   return energy;
 }
 
-/// Irradiance on a surface that faces `normal`, nothing in its way: the sum over all pixels of
-/// radiance, solid angle and max(0, cosine in the pixel's middle).
+/// The irradiance of a surface that faces `normal`, without terrain: the sum over all pixels of
+/// radiance times solid angle times max(0, cosine at the centre of the pixel).
 inline std::array<double, 3> BruteIrradiance(const LightMap& map, const LightMapDirection& normal)
 {
   std::array<double, 3> irradiance{};

@@ -18,19 +18,19 @@ namespace testing
 namespace
 {
 
-/// Sums of some thousand pixels in double.
+/// The error of sums of some thousand pixels in double precision.
 constexpr double SumBound = 1.0e-10;
 
-/// Where a face stands in the image, and the direction (east, north, up) of its pixel at u to the
-/// right and v below the middle, -1 to 1.
+/// The position of a face in the image, and the direction (east, north, up) of its pixel at u to
+/// the right of the centre and v below it, both -1 to 1.
 struct Face
 {
   int Column, Row;
   LightMapDirection (*Direction)(double u, double v);
 };
 
-/// The four layouts written out face by face, from the descriptions in CubeMap.h and OpenEXR's
-/// ImfEnvmap.h: X west, Y up, Z north.
+/// The four layouts, face by face, from the descriptions in CubeMap.h and in OpenEXR's ImfEnvmap.h:
+/// X west, Y up, Z north.
 const std::vector<Face>& Faces(CubeLayout layout)
 {
   static const std::vector<Face> vertical{
@@ -108,7 +108,7 @@ struct OwnedCube
     return &this->Values[static_cast<std::size_t>(3 * (row * this->Across * this->Size + column))];
   }
 
-  /// Sets every pixel of a face to radiance(direction, channel) in its middle.
+  /// Sets each pixel of a face to radiance(direction at the pixel's centre, channel).
   template <typename Radiance>
   void Paint(const Radiance& radiance)
   {
@@ -150,7 +150,7 @@ OwnedMap Convert(const CubeMap& cube)
   return map;
 }
 
-/// Smooth, and different towards every side and edge.
+/// A smooth function that differs at all sides and edges.
 double Smooth(const LightMapDirection& d, int channel)
 {
   return 2.0 + 0.7 * d.X + 0.4 * d.Y - 0.5 * d.Z + 0.3 * channel * d.X * d.Y + 0.2 * d.Y * d.Z;
@@ -172,7 +172,7 @@ TEST_P(CubeMapLayouts, EveryFaceIsWhereItBelongs)
   cube.Paint(Smooth);
   const OwnedMap map = Convert(cube.View());
   const LightMap view = map.View();
-  // Half a pixel of a face is 1/32; beside an edge the radiance stays that of the last middle.
+  // Half a pixel of a face is 1/32. Beside an edge the radiance is that of the last pixel centre.
   const double pixelBound = 1.5 / 32.0;
   for (std::ptrdiff_t row = 0; row < view.Rows; ++row)
   {
@@ -215,7 +215,8 @@ TEST_P(CubeMapLayouts, UniformLightStaysUniform)
   }
 }
 
-// A sun in one pixel, anywhere on a face: the converted map has all of its energy, in its direction.
+// A sun in one pixel, anywhere on a face: the converted map has all of its energy, in the same
+// direction.
 TEST_P(CubeMapLayouts, HugeSunKeepsItsEnergy)
 {
   for (const Face& face : Faces(GetParam()))
@@ -228,7 +229,7 @@ TEST_P(CubeMapLayouts, HugeSunKeepsItsEnergy)
       cube.Pixel(face.Row * 32 + row, face.Column * 32 + column)[1] = 1.0e5f;
       const std::array<double, 3> energy = CubeEnergy(cube.View());
       OwnedMap map = Convert(cube.View());
-      // Interpolation alone is good to some thousandths, more at the poles of the map.
+      // Interpolation alone has errors of some thousandths, and more at the poles of the map.
       EXPECT_NEAR(Energy(map.View())[1] / energy[1], 1.0, 2.0e-2) << row << " " << column;
       KeepEnergy(energy, map.Columns, map.Rows, map.Values.data());
       const double floatBound = 1.0e-6;
@@ -241,7 +242,7 @@ TEST_P(CubeMapLayouts, HugeSunKeepsItsEnergy)
       const double length = std::sqrt(d.X * d.X + d.Y * d.Y + d.Z * d.Z);
       const double mean =
         std::sqrt(light[5] * light[5] + light[6] * light[6] + light[7] * light[7]);
-      const double pixelBound = 1.0 / 32.0; // a sun may move by half a pixel at the edge of a face
+      const double pixelBound = 1.0 / 32.0; // at the edge of a face a sun can move by half a pixel
       EXPECT_NEAR(light[4 + 3] / mean, d.X / length, pixelBound);
       EXPECT_NEAR(light[4 + 1] / mean, d.Y / length, pixelBound);
       EXPECT_NEAR(light[4 + 2] / mean, d.Z / length, pixelBound);

@@ -17,10 +17,10 @@ namespace testing
 namespace
 {
 
-// Sums of some hundred float terms of up to pi.
+// The error of sums of some hundred floats up to pi.
 constexpr double SumError = 1.0e-5;
 
-// A sky of radiance 1 on planes that 256 azimuths cut.
+// The error for a sky of radiance 1 and tilted planes with 256 azimuths.
 constexpr double AzimuthError = 3.0e-4;
 
 const SwathQuadrature Quadratures[] = { SwathQuadrature::Constant, SwathQuadrature::Blend,
@@ -53,7 +53,7 @@ TEST(LightAccumulator, WhiteFurnace)
             EXPECT_NEAR(light, Pi, SumError);
           }
         }
-        // A plane of inclination b sees (1 + cos b) / 2 of the sky.
+        // A plane with the inclination b sees (1 + cos b) / 2 of the sky.
         for (const double steep : { 0.3, 1.0, 5.0 })
         {
           const double inclination = std::atan(steep);
@@ -67,8 +67,8 @@ TEST(LightAccumulator, WhiteFurnace)
 
 TEST(LightAccumulator, ConstantQuadratureIsEquationFive)
 {
-  // Uniform light has a closed form of its own, in SkyAccumulator: horizons of 0 or more, and planes
-  // that stay below them, so that the sky's lower end is the same.
+  // SkyAccumulator has a closed form for uniform light. It applies to horizons of at least 0 and to
+  // planes below them, so that the lower limit of the sky is the same.
   const OwnedMap white(8, 4, 1.0f);
   const std::vector<TurnedLightMap> maps{ { white.View(), 0.0 } };
   shapes::Random random(4);
@@ -90,7 +90,8 @@ TEST(LightAccumulator, ConstantQuadratureIsEquationFive)
 
 TEST(LightAccumulator, ConvergesToTheSumOverAllPixels)
 {
-  // A horizon of smooth waves and a map with a sun; each quadrature, falling with azimuths.
+  // A horizon of smooth waves and a map with a sun. For each quadrature the error decreases with
+  // more azimuths.
   const OwnedMap map = SunnyMap(256, 128, 100.0, 38.0);
   const double rotation = 0.7;
   const std::vector<TurnedLightMap> maps{ { map.View(), rotation } };

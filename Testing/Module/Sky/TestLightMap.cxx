@@ -19,7 +19,7 @@ namespace testing
 namespace
 {
 
-/// Sums of some thousand pixels in double, of results up to 10.
+/// The error of sums of some thousand pixels in double precision, for results up to 10.
 constexpr double SumBound = 1.0e-11;
 
 constexpr float Infinity = std::numeric_limits<float>::infinity();
@@ -32,11 +32,11 @@ TEST(LightMap, DirectionsOfThePixels)
   const OwnedMap map(8, 4);
   const LightMap view = map.View();
   const double up = std::cos(Pi / 8.0), level = std::sin(Pi / 8.0);
-  const LightMapDirection first = PixelDirection(view, 0, 0); // left of the seam, which is south
+  const LightMapDirection first = PixelDirection(view, 0, 0); // left of the seam in the south
   EXPECT_NEAR(first.X, -level * std::sin(Pi / 8.0), SumBound);
   EXPECT_NEAR(first.Y, -level * std::cos(Pi / 8.0), SumBound);
   EXPECT_NEAR(first.Z, up, SumBound);
-  const LightMapDirection centre = PixelDirection(view, 3, 4); // just right of the centre
+  const LightMapDirection centre = PixelDirection(view, 3, 4); // right of the centre
   EXPECT_NEAR(centre.X, level * std::sin(Pi / 8.0), SumBound);
   EXPECT_NEAR(centre.Y, level * std::cos(Pi / 8.0), SumBound);
   EXPECT_NEAR(centre.Z, -up, SumBound);
@@ -78,11 +78,11 @@ TEST(LightMap, BothOrdersOfRowsAreOneMap)
 
 TEST(LightMap, DefectsAreCountedAndMended)
 {
-  std::vector<float> values{ 1.0f, 2.0f, 3.0f, // good
+  std::vector<float> values{ 1.0f, 2.0f, 3.0f, // valid
     -1.0f, 5.0f, -2.0f,                        // one negative pixel
     NaN, 1.0f, NaN,                            // one NaN pixel
     Infinity, -Infinity, 7.0f,                 // infinite and negative
-    -0.0f, 1.0e30f, 0.0f };                    // good
+    -0.0f, 1.0e30f, 0.0f };                    // valid
   const LightMapDefects defects = SanitizeLightMap(values.data(), 5);
   EXPECT_EQ(defects.Negative, 2);
   EXPECT_EQ(defects.NotNumbers, 1);
@@ -135,7 +135,7 @@ TEST(LightMapProjection, SkyHalfIsTheHemisphere)
   }
 }
 
-// The reference's definition, written down plainly.
+// The definition of the reference, as a simple sum.
 TEST(LightMapProjection, CentreRuleIsTheSumOverPixels)
 {
   for (const int bands : { 3, 4, 5, 8 })
@@ -166,7 +166,8 @@ TEST(LightMapProjection, CentreRuleIsTheSumOverPixels)
   }
 }
 
-// A step function is the same map at any finer size: what "exact to the pixel's solid angle" means.
+// A step function is the same map at any finer resolution, so the rule must be exact for the solid
+// angle of a pixel.
 TEST(LightMapProjection, IntegralRuleDoesNotSeeTheGrid)
 {
   const OwnedMap coarse = RandomMap(6, 3, 3);
@@ -189,7 +190,7 @@ TEST(LightMapProjection, IntegralRuleDoesNotSeeTheGrid)
     }
     if (factor == 40)
     {
-      // The centre rule tends to it with the pixel's square: pi / 120 squared is 7e-4.
+      // The centre rule converges with the square of the pixel size: (pi / 120)^2 = 7e-4.
       const std::vector<double> centres = ProjectLightMap(fine.View(), 8, PixelRule::Centre);
       for (std::size_t i = 0; i < expected.size(); ++i)
       {
@@ -230,7 +231,7 @@ TEST(LightMapProjection, ShiftedColumnsAreTurnedCoefficients)
   }
 }
 
-// One pixel of 1e5 times the mean on a sky of 1: its energy is there, and so is the sky's.
+// One pixel of 1e5 times the mean, on a sky of 1: the energies of both are kept.
 TEST(LightMapProjection, HugeSunKeepsItsEnergy)
 {
   OwnedMap map(512, 256);
@@ -241,7 +242,8 @@ TEST(LightMapProjection, HugeSunKeepsItsEnergy)
   const double solid = PixelSolidAngle(map.View(), 40);
   const std::vector<double> coefficients = ProjectLightMap(map.View(), 4);
   EXPECT_NEAR(coefficients[0] * SphereConstant, 4.0 * Pi + (sun - 1.0) * solid, SumBound);
-  // Away from the constant, a sun of one pixel is its direction's harmonics but for the pixel's size.
+  // Apart from the constant function, a sun of one pixel gives the harmonics of its direction, up
+  // to the size of the pixel.
   const LightMapDirection d = PixelDirection(map.View(), 40, 300);
   double values[16];
   EvaluateHarmonics(4, d.X, d.Y, d.Z, values);
@@ -266,8 +268,8 @@ TEST(LightMapProjection, PartsOfTheRowsAddUp)
   }
 }
 
-// E(n) = sum of A_l L_lm Y_lm(n) against the sum over all pixels, for light without detail: a map of
-// the harmonics below band 3 itself.
+// E(n) = sum of A_l L_lm Y_lm(n), compared with the sum over all pixels, for smooth light: a map
+// that consists of harmonics below band 3.
 TEST(LightMapProjection, IrradianceOfSmoothLight)
 {
   OwnedMap map(256, 128);
@@ -298,7 +300,7 @@ TEST(LightMapProjection, IrradianceOfSmoothLight)
         irradiance += factor * coefficients[i] * values[i];
       }
     }
-    const double pixelBound = 2.0e-4; // both sums take pixels of 0.025 radians for points
+    const double pixelBound = 2.0e-4; // both sums treat pixels of 0.025 radians as points
     EXPECT_NEAR(irradiance / BruteIrradiance(map.View(), n)[0], 1.0, pixelBound);
   }
 }

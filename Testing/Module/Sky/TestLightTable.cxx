@@ -13,13 +13,15 @@ namespace testing
 namespace
 {
 
-// Coefficients are floats: 6e-8 each of up to six terms of the size of the whole.
+// Coefficients are floats: an error of 6e-8 for each of up to six terms as large as the result.
 constexpr double FloatBound = 1.0e-6;
 
-// 2000 strips of azimuth: one that holds the edge of a pixel is off by up to half of its part.
+// 2000 strips of azimuth: a strip that contains the edge of a pixel has an error of up to half of
+// its part.
 constexpr double StripBound = 1.0e-3;
 
-// What the table says of a plane with slopes east and north above an elevation, nz left out.
+// The value of the table for a plane with the slopes east and north above an elevation. The
+// vertical component nz of the normal is left out.
 Color Evaluate(const LightTable& table, double elevation, double east, double north)
 {
   const double zenith = 0.5 * Pi - elevation;
@@ -75,7 +77,7 @@ TEST(LightTable, EqualsTheSumOverPixels)
 
 TEST(LightTable, OnePixelInClosedForm)
 {
-  // A pixel of light 1 and a swath that covers all of it, a half of it, none of it.
+  // A pixel of radiance 1, and a swath that covers all, half or none of it.
   OwnedMap map(36, 18);
   std::fill_n(map.At(20, 6), 3, 1.0f); // azimuths 20 to 30, elevations 20 to 30 degrees
   const double low = 20.0 * RadiansPerDegree, high = 30.0 * RadiansPerDegree;
@@ -95,7 +97,8 @@ TEST(LightTable, OnePixelInClosedForm)
 
 TEST(LightTable, WeightsAreLinear)
 {
-  // A tent over equal pixels holds half of what a box does, and two halves of a box a whole one.
+  // A triangular weight over equal pixels gives half of a constant one, and two halves of a
+  // constant one the whole.
   const OwnedMap map = NoisyMap(40, 20, 9);
   const SwathPiece box{ 1.0, 1.5, 1.0, 1.0 };
   const SwathPiece halves[2] = { { 1.0, 1.2, 1.0, 1.0 }, { 1.2, 1.5, 1.0, 1.0 } };
@@ -114,7 +117,7 @@ TEST(LightTable, WeightsAreLinear)
 
 TEST(LightTable, TurnsWithoutResampling)
 {
-  // Turning map, swath and plane together changes nothing, whatever the angle.
+  // Turning the map, the swath and the plane by the same angle changes nothing.
   const OwnedMap map = NoisyMap(40, 20, 10);
   const double turn = 1.2345;
   const SwathPiece piece{ 0.7, 0.9, 1.0, 1.0 }, turned{ 0.7 + turn, 0.9 + turn, 1.0, 1.0 };
@@ -128,8 +131,9 @@ TEST(LightTable, TurnsWithoutResampling)
 
 TEST(LightTable, IsWhatThePublishedTableTendsTo)
 {
-  // A swath so narrow that the paper's one direction in it is no error, and a map without change
-  // along azimuths: with 511 x 4096 nodes the paper's table comes within its interpolation error.
+  // The swath is so narrow that the single direction of the paper's table causes no error, and the
+  // map does not change with azimuth. With 511 x 4096 nodes the paper's table differs by its
+  // interpolation error.
   constexpr double InterpolationBound = 2.0e-4;
   OwnedMap map(4, 64);
   for (std::ptrdiff_t row = 0; row < 64; ++row)
@@ -157,8 +161,8 @@ TEST(LightTable, IsWhatThePublishedTableTendsTo)
     const double east = 4.0 * random() - 2.0, north = 4.0 * random() - 2.0;
     const double horizon = 0.5 * Pi * random();
     const double rise = east * std::sin(azimuth) + north * std::cos(azimuth);
-    // The projected normal is nz (-rise, 1): its angle from the zenith towards the azimuth and its
-    // length; nz is left out on both sides.
+    // The projected normal is nz (-rise, 1): its angle from the zenith in the azimuth, and its
+    // length. nz is left out on both sides.
     const double length = std::sqrt(1.0 + rise * rise), normal = std::atan(-rise);
     const double truth = length * published(normal, 0.5 * Pi - std::max(horizon, 0.0));
     const double lowest = std::max({ horizon, std::atan(rise), 0.0 });
@@ -169,7 +173,8 @@ TEST(LightTable, IsWhatThePublishedTableTendsTo)
 
 TEST(LightTable, HoldsASunOfAHundredThousandMeans)
 {
-  // Above the sun nothing of it is left over, below it all of it, although both are floats.
+  // A horizon above the sun leaves nothing of its light, one below it leaves all of it, although
+  // both are floats.
   OwnedMap map(1024, 512, 1.0f);
   std::fill_n(map.At(700, 100), 3, 1.0e5f);
   const double azimuth = 2.0 * Pi * 700.5 / 1024.0 - Pi;
@@ -184,7 +189,7 @@ TEST(LightTable, HoldsASunOfAHundredThousandMeans)
     const double from = std::clamp(elevation, bottom, top);
     const double sun =
       0.5 * pixel * 99999.0 * (std::pow(std::sin(top), 2) - std::pow(std::sin(from), 2));
-    // The sun's row is the difference of terms a hundred times as large as it is.
+    // The row of the sun is the difference of terms that are a hundred times larger.
     EXPECT_NEAR(Evaluate(table, elevation, 0.0, 0.0)[0], around + sun,
       elevation > top ? FloatBound * around : 1.0e-4 * (around + sun));
   }

@@ -52,7 +52,7 @@ TEST(SkyAccumulator, AgreesWithQuadratureInDouble)
 
 TEST(SkyAccumulator, UniformAmbientIsEquationFive)
 {
-  // Timonen & Westerholm 2010, equations 4 and 5, as printed: angles from the zenith, c = 1.
+  // Timonen & Westerholm (2010), equations 4 and 5, as printed: angles from the zenith, c = 1.
   shapes::Random random(5);
   const int n = 32;
   const std::vector<double> slopes = RandomSlopes(random, n);
@@ -107,7 +107,7 @@ TEST(SkyAccumulator, NothingIsSeenFromTheBottomOfAShaft)
 
 TEST(SkyAccumulator, SteepestPlanesSeeHalfTheSky)
 {
-  // The plane hides itself alone: (1 + cos s) / 2 tends to a half; 36 azimuths stand for the
+  // The plane only hides its own part: (1 + cos s) / 2 tends to 1/2. 36 azimuths represent the
   // circle.
   for (const double steep : { 1.0e4, 1.0e8, 1.0e12 })
   {
@@ -118,13 +118,13 @@ TEST(SkyAccumulator, SteepestPlanesSeeHalfTheSky)
     }
     const oracle::Sky sky = SumSky(slopes, steep, 0.0, 0.5);
     EXPECT_NEAR(sky.SkyViewFactor, 0.5, 1.0e-3) << steep;  // pi^2 / 6 N^2
-    EXPECT_NEAR(sky.UniformAmbient, 1.0, 1.0e-3) << steep; // nothing beyond the plane hides
+    EXPECT_NEAR(sky.UniformAmbient, 1.0, 1.0e-3) << steep; // only the plane hides the sky
   }
 }
 
 TEST(SkyAccumulator, OutputsDoNotDependOnEachOther)
 {
-  // Each wanted alone, from buffers that hold rubbish before.
+  // Each quantity alone, in a buffer that held other values before.
   shapes::Random random(3);
   const std::vector<double> slopes = RandomSlopes(random, 16);
   const oracle::Sky all = SumSky(slopes, 0.5, -0.2);
@@ -151,7 +151,7 @@ TEST(SkyAccumulator, OutputsDoNotDependOnEachOther)
   }
 }
 
-/// All quantities of a small field, added in runs of `run` posts, with `stride` floats a post.
+/// All quantities of a small field, added in runs of `run` posts, with `stride` floats per post.
 std::vector<float> FieldSky(std::ptrdiff_t run, std::ptrdiff_t stride)
 {
   const std::ptrdiff_t columns = 301, rows = 3, posts = columns * rows;

@@ -14,10 +14,10 @@ namespace testing
 namespace
 {
 
-// Pixels of half a degree, four places each.
+// The error of pixels of half a degree with four samples each.
 constexpr double PixelError = 5.0e-4;
 
-// Irradiance of open level ground over the radiance of the zenith.
+// The irradiance of open level ground divided by the radiance of the zenith.
 double DiffuseOverZenith(const SkyModel& sky, double sunElevation)
 {
   OwnedMap map(SkyWidth, SkyHeight);
@@ -35,11 +35,11 @@ TEST(SkyModel, ZonalSkiesInClosedForm)
 
 TEST(SkyModel, ZenithOfTheStandardSkiesAsPublished)
 {
-  // Kittler, Perez & Darula 1997, "A new generation of sky standards", and Darula & Kittler 2002,
-  // "CIE general sky standard defining luminance distributions", table 2: the ratio of zenith
-  // luminance to diffuse illuminance for each type is
-  //   Lz / Dv = (B sin^C g / cos^D g + E sin g) / (133.8 sin g),  g: elevation of the sun,
-  // a fit to the skies themselves.
+  // Kittler, Perez & Darula (1997), "A new generation of sky standards", and Darula & Kittler
+  // (2002), "CIE general sky standard defining luminance distributions", table 2. For each type,
+  // the ratio of the luminance of the zenith to the diffuse illuminance is
+  //   Lz / Dv = (B sin^C g / cos^D g + E sin g) / (133.8 sin g),  g: elevation of the sun.
+  // It was fitted to the sky models.
   constexpr double Published[15][4] = { { 54.63, 1.00, 0.00, 0.00 }, { 12.35, 3.68, 0.59, 50.47 },
     { 48.30, 1.00, 0.00, 0.00 }, { 12.23, 3.57, 0.57, 44.27 }, { 42.59, 1.00, 0.00, 0.00 },
     { 11.84, 3.53, 0.55, 38.78 }, { 21.72, 4.52, 0.64, 34.56 }, { 29.35, 4.94, 0.70, 30.41 },
@@ -89,7 +89,7 @@ TEST(SkyModel, PerezGetsTheIrradianceGiven)
   {
     double Direct, Diffuse, Elevation;
   };
-  // One of each bin of clearness, and the extremes.
+  // One for each bin of clearness, and the extremes.
   for (const Weather& weather : { Weather{ 0.0, 100.0, 30.0 }, { 20.0, 180.0, 40.0 },
          { 60.0, 250.0, 50.0 }, { 150.0, 250.0, 35.0 }, { 300.0, 250.0, 45.0 },
          { 500.0, 200.0, 45.0 }, { 650.0, 120.0, 40.0 }, { 900.0, 100.0, 60.0 },
@@ -111,8 +111,8 @@ TEST(SkyModel, PerezGetsTheIrradianceGiven)
   }
 }
 
-// Found by a fuzzer: direct light of noon over the diffuse light of dusk, with the sun on the horizon,
-// made the sky infinite.
+// Found by a fuzzer: the direct light of noon with the diffuse light of dusk, and the sun on the
+// horizon, made the sky infinite.
 TEST(SkyModel, PerezIsFiniteInWeatherThatNeverWas)
 {
   constexpr int width = 32, height = 16;
@@ -132,7 +132,7 @@ TEST(SkyModel, PerezIsFiniteInWeatherThatNeverWas)
         }
         catch (const std::invalid_argument&)
         {
-          continue; // so far from all weather that nothing shines
+          continue; // no such weather exists, and the sky is black
         }
         ++skies;
         for (const float pixel : pixels)
@@ -148,9 +148,10 @@ TEST(SkyModel, PerezIsFiniteInWeatherThatNeverWas)
 
 TEST(SkyModel, PerezChoosesByClearnessAndBrightness)
 {
-  // By hand from Perez et al. 1993, table 1: sun at 30 degrees, direct 800, diffuse 100 W/m2. The
-  // zenith angle is 60 degrees: 1.041 z^3 = 1.19546; clearness (9 + 1.19546) / 2.19546 = 4.64387,
-  // the seventh bin; air mass 1.99 (Kasten & Young 1.9940), brightness 0.14587.
+  // Computed by hand from Perez et al. (1993), table 1: sun at 30 degrees, direct 800 W/m2, diffuse
+  // 100 W/m2. The zenith angle z is 60 degrees: 1.041 z^3 = 1.19546. The clearness is (9 + 1.19546)
+  // / 2.19546 = 4.64387, in the seventh bin. The air mass is 1.99 (Kasten & Young: 1.9940), the
+  // brightness 0.14587.
   const SkyModel sky = PerezSky(800.0, 100.0, 30.0 * RadiansPerDegree);
   const double z = Pi / 3.0, brightness = 1.9940 * 100.0 / 1367.0;
   EXPECT_NEAR(sky.A, -1.0 + 0.0211 * z + brightness * (0.5025 - 0.5119 * z), 1e-4);
@@ -159,7 +160,8 @@ TEST(SkyModel, PerezChoosesByClearnessAndBrightness)
   EXPECT_NEAR(sky.D, -4.0 + 0.025 * z + brightness * (0.3844 + 0.2656 * z), 1e-4);
   EXPECT_NEAR(sky.E, 1.0468 - 0.3788 * z + brightness * (-2.4517 + 1.4656 * z), 1e-4);
   EXPECT_EQ(sky.Base, 1.0);
-  // Without direct light the sky is brightest in the zenith, on a clear day around the sun.
+  // Without direct light the sky is brightest at the zenith; on a clear day it is brightest around
+  // the sun.
   const SkyModel overcast = PerezSky(0.0, 150.0, 0.6);
   EXPECT_GT(overcast.Radiance(1.0, 0.5), overcast.Radiance(0.1, 0.5));
   EXPECT_GT(sky.Radiance(0.5, 0.99), 3.0 * sky.Radiance(0.5, -0.5));

@@ -16,20 +16,21 @@ namespace
 
 using skyline::Pi;
 
-// The table's linear interpolation.
+// The error of the linear interpolation of the table.
 constexpr double TableTolerance = 1e-5;
 
-// 360 azimuths on a tilted plane: the integrand has a kink where the plane crosses the level.
+// 360 azimuths on a tilted plane: the integrand has a kink where the plane crosses the horizontal.
 constexpr double AzimuthTolerance = 5e-5;
 
 constexpr int Types[] = { 1, 3, 5, 16 };
 
-// The share of one post with a gradient, below a horizon given as a function of azimuth.
+// The share of the light that reaches one post with a gradient, above a horizon given as a function
+// of azimuth.
 template <typename Slope>
 double Share(int type, float east, float north, const Slope& slope, int azimuths = 360)
 {
   const skyline::ZonalSky sky(type);
-  float share = -7.0f; // what the buffer held does not count
+  float share = -7.0f; // the earlier content of the buffer must not count
   skyline::ZonalSkyAccumulator accumulator(sky, 1, &east, &north, &share);
   for (int k = 0; k < azimuths; ++k)
   {
@@ -42,7 +43,7 @@ double Share(int type, float east, float north, const Slope& slope, int azimuths
   return share;
 }
 
-// The same by plain sums over the hemisphere.
+// The same by simple sums over the hemisphere.
 double BruteForce(int type, double east, double north, double horizon)
 {
   constexpr int azimuths = 720;
@@ -73,13 +74,13 @@ TEST(ZonalSky, OpenLevelGroundIsOne)
   for (int type : Types)
   {
     EXPECT_NEAR(Share(type, 0.0f, 0.0f, Level), 1.0, TableTolerance) << type;
-    // Nothing comes from under the level.
+    // No light comes from below the horizontal.
     const auto noTerrain = [](double) { return skyline::NoTerrainSlope; };
     EXPECT_NEAR(Share(type, 0.0f, 0.0f, noTerrain), 1.0, TableTolerance) << type;
   }
 }
 
-// A level receiver in a round pit whose rim stands at elevation h.
+// A level receiver in a round pit whose rim has the elevation h.
 TEST(ZonalSky, RoundPit)
 {
   for (double h : { 5.0, 30.0, 60.0, 89.0 })
@@ -87,7 +88,8 @@ TEST(ZonalSky, RoundPit)
     const double angle = h * skyline::RadiansPerDegree;
     const auto rim = [&](double) { return std::tan(angle); };
     const double s = std::sin(angle);
-    // uniform: cos^2 h; traditional overcast: Int_s^1 (1 + 2 x) x dx / (7 / 6)
+    // Uniform sky: cos^2 h. Traditional overcast sky: the integral of (1 + 2 x) x from s to 1,
+    // divided by 7 / 6.
     EXPECT_NEAR(Share(5, 0.0f, 0.0f, rim), 1.0 - s * s, TableTolerance);
     const double overcast = ((1.0 - s * s) / 2.0 + 2.0 * (1.0 - s * s * s) / 3.0) / (7.0 / 6.0);
     EXPECT_NEAR(Share(16, 0.0f, 0.0f, rim), overcast, TableTolerance);
@@ -98,16 +100,16 @@ TEST(ZonalSky, RoundPit)
 
 TEST(ZonalSky, InclinedPlane)
 {
-  // A uniform sky on a plane of inclination b: (1 + cos b) / 2.
+  // A uniform sky on a plane with the inclination b: (1 + cos b) / 2.
   const float east = 0.6f;
   const float north = -0.8f;
   const auto plane = [&](double a) { return east * std::sin(a) + north * std::cos(a); };
   EXPECT_NEAR(Share(5, east, north, plane), 0.5 * (1.0 + std::sqrt(0.5)), AzimuthTolerance);
   for (int type : Types)
   {
-    // Steps of 0.045 degrees in elevation and 0.5 in azimuth, sums of midpoints.
+    // Sums of midpoints with steps of 0.045 degrees in elevation and 0.5 degrees in azimuth.
     EXPECT_NEAR(Share(type, east, north, plane), BruteForce(type, east, north, 0.0), 2e-4);
-    // The plane hides what is under it, whether the horizon says so or not.
+    // The plane hides the sky below it, even if the horizon is lower.
     EXPECT_NEAR(Share(type, east, north, Level), Share(type, east, north, plane), 1e-6);
   }
 }

@@ -12,7 +12,7 @@ using namespace skyline;
 namespace
 {
 
-/// The covered light by brute force: a square of small squares.
+/// The covered light by brute force: the disc is divided into small squares.
 double Counted(double distance, double cover, double limbDarkening)
 {
   constexpr int Side = 700;
@@ -34,7 +34,7 @@ double Counted(double distance, double cover, double limbDarkening)
   return hidden / whole;
 }
 
-/// Of the squares at the rims, of which half are counted wrongly by chance.
+/// The error of the squares at the rims, half of which are counted wrongly.
 constexpr double CountError = 2e-4;
 
 } // namespace
@@ -57,10 +57,10 @@ TEST(CoveredDisc, AgreesWithCountedSquares)
 
 TEST(CoveredDisc, ClosedForms)
 {
-  // Two equal discs, the rim of each through the other's centre: 2/3 - sqrt(3) / (2 pi).
+  // Two equal discs, each with its rim through the centre of the other: 2/3 - sqrt(3) / (2 pi).
   EXPECT_NEAR(CoveredShare(1.0, 1.0), 2.0 / 3.0 - std::sqrt(3.0) / (2.0 * Pi), 1e-14);
   EXPECT_NEAR(CoveredShare(0.0, 0.5), 0.25, 1e-15);
-  // mu integrates to 2/3 (1 - (1 - k^2)^(3/2)) of the area.
+  // The integral of mu is 2/3 (1 - (1 - k^2)^(3/2)) of the area.
   EXPECT_NEAR(CoveredShare(0.0, 0.5, 1.0), 1.0 - std::pow(0.75, 1.5), 1e-14);
   EXPECT_NEAR(CoveredShare(0.1, 0.5, 1.0), CoveredShare(0.1 + 1e-9, 0.5, 1.0), 1e-8);
 }
@@ -73,7 +73,7 @@ TEST(CoveredDisc, ExactlyNothingAndAll)
     EXPECT_EQ(CoveredShare(5.0, 1.1, darkening), 0.0);
     EXPECT_EQ(CoveredShare(0.09, 1.1, darkening), 1.0);
     EXPECT_EQ(CoveredShare(0.0, 1.0, darkening), 1.0);
-    // Continuous and monotone towards both.
+    // The share changes continuously and monotonically towards both limits.
     EXPECT_LT(CoveredShare(2.1 - 1e-6, 1.1, darkening), 1e-8);
     EXPECT_GT(CoveredShare(0.1 + 1e-6, 1.1, darkening), 1.0 - 1e-6);
     double before = 1.0;

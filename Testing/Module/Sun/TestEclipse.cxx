@@ -40,8 +40,8 @@ struct Place
   double Longitude, Latitude, Height;
 };
 
-/// Distance of the rims: below 0 while the Moon covers some (outer) or while one disc lies upon the
-/// other (inner).
+/// The distance between the rims of the discs. It is negative while the discs overlap (outer
+/// contact) or while one lies within the other (inner contact).
 double Rims(const std::string& date, double second, const Place& place, bool inner)
 {
   const SunAndMoon seen =
@@ -49,7 +49,8 @@ double Rims(const std::string& date, double second, const Place& place, bool inn
   return seen.Distance() - (inner ? std::abs(seen.Cover - 1.0) : seen.Cover + 1.0);
 }
 
-/// The second at which the rims touch, between a second outside and one inside.
+/// The second at which the rims touch. It lies between a second outside the contact and a second
+/// inside.
 double Contact(
   const std::string& date, double outside, double inside, const Place& place, bool inner)
 {
@@ -70,29 +71,32 @@ double Share(const std::string& time, const Place& place)
     .Obscuration();
 }
 
-/// Arcseconds, root mean square, that eraMoon98's authors found, and their worst case.
+/// The errors that the authors of eraMoon98 found, in arcseconds: root mean square, and the
+/// greatest one.
 constexpr double MoonError = 2.9;
 constexpr double WorstMoonError = 18.3;
 
-/// Rounding of the table to 0.00001 degrees, polar motion, and UT1 - UTC in the parallax: arcseconds.
+/// Arcseconds: the table is rounded to 0.00001 degrees; the rest is polar motion, and UT1 - UTC in
+/// the parallax.
 constexpr double TableError = 0.5;
 
-/// Seconds. The Moon passes before the sun at 0.4 arcseconds a second: twice MoonError is 15 s.
+/// Seconds. The Moon moves across the sun by 0.4 arcseconds per second: twice MoonError is 15 s.
 constexpr double ContactError = 15.0;
 
-/// The catalogue's radii of Moon (k = 0.272281, for totality) and sun (959.63 arcseconds at 1 au)
-/// against ours, 0.2725076 and 695700 km, which is 959.22 arcseconds: its ratios are smaller by this.
+/// The catalogue uses the radii k = 0.272281 for the Moon (for totality) and 959.63 arcseconds at 1
+/// au for the sun. Skyline uses 0.2725076 and 695700 km, which is 959.22 arcseconds. The ratios of
+/// the catalogue are smaller by this factor.
 constexpr double RatioOfRatios = 0.2725076 / 0.272281 * 959.63 / 959.22;
 
-/// The catalogue's ratios have four digits, its durations whole seconds; its places, rounded to 0.1
-/// degrees, lie up to 7 km beside the middle of the shadow.
+/// The ratios of the catalogue have four digits, and its durations are whole seconds. Its positions
+/// are rounded to 0.1 degrees and lie up to 7 km from the centre of the shadow.
 constexpr double RatioError = 0.0002;
 constexpr double DurationError = 1.5;
 
 } // namespace
 
-// The true equator's coordinates, in which UT1 - UTC, up to 0.9 s or 13 arcseconds of azimuth, hardly
-// counts.
+// In coordinates of the true equator, UT1 - UTC (up to 0.9 s, or 13 arcseconds of azimuth) has
+// almost no effect.
 TEST(Eclipse, TheMoonOfJplHorizons)
 {
   double squares = 0.0;
@@ -116,7 +120,7 @@ TEST(Eclipse, TheMoonOfJplHorizons)
     squares += north * north + east * east;
     ++count;
 
-    // The sky of the place, where UT1 - UTC does count (0.0038 degrees).
+    // In the local sky, UT1 - UTC does have an effect (0.0038 degrees).
     const LocalVector seen =
       SeenFrom(moon, Number(row, "lon_deg_east"), Number(row, "lat_deg"), Number(row, "height_m"));
     EXPECT_NEAR(std::atan2(seen.Up, std::hypot(seen.East, seen.North)) * DegreesPerRadian,
@@ -133,7 +137,8 @@ TEST(Eclipse, TheMoonOfJplHorizons)
   EXPECT_LT(error, MoonError + TableError);
 }
 
-// Totality in Burgos, as the province of Burgos announces it: 20:28:19 to 20:30:03 summer time.
+// The total eclipse in Burgos, as published by the province of Burgos: 20:28:19 to 20:30:03 summer
+// time.
 TEST(Eclipse, TotalAtBurgos)
 {
   const std::string date = "2026-08-12T00:00Z";
@@ -151,9 +156,9 @@ TEST(Eclipse, TotalAtBurgos)
   EXPECT_NEAR(Contact(date, Clock(17, 0, 0), middle, burgos, false), Clock(17, 33, 0), 300.0);
 }
 
-// Greatest eclipses of F. Espenak's catalogue (NASA): time (TD less TT - UTC), place, ratio of the
-// diameters, duration. The middle of the Moon's disc crosses the sun's: a duration goes with the
-// difference of the radii.
+// Greatest eclipses from the catalogue of F. Espenak (NASA): time (TD minus TT - UTC), place, ratio
+// of the diameters, duration. The centre of the Moon's disc crosses that of the sun, so the
+// duration depends on the difference of the radii.
 TEST(Eclipse, GreatestEclipsesOfTheCatalogue)
 {
   struct Row
@@ -186,14 +191,14 @@ TEST(Eclipse, GreatestEclipsesOfTheCatalogue)
     RecordProperty(
       std::string("middle_") + row.Date, std::to_string(0.5 * (begin + end) - row.Second));
   }
-  // An annular eclipse leaves a ring: the square of the ratio is covered.
+  // An annular eclipse leaves a ring: the covered share is the square of the ratio.
   const double ratio = 0.9520 * RatioOfRatios;
   EXPECT_NEAR(Share("2023-10-14T17:59:32Z", { -83.1, 11.4, 0.0 }), ratio * ratio, 2.0 * RatioError);
 }
 
 TEST(Eclipse, NoneElsewhereOrAtOtherTimes)
 {
-  // New moon above the shadow's reach, and a full moon.
+  // A new moon whose shadow misses the Earth, and a full moon.
   EXPECT_FALSE(EclipseEphemeris(ParseUtcTime("2026-07-14T09:44Z")).Possible());
   EXPECT_FALSE(EclipseEphemeris(ParseUtcTime("2026-08-28T04:00Z")).Possible());
   EXPECT_TRUE(EclipseEphemeris(ParseUtcTime("2026-08-12T17:46Z")).Possible());
@@ -207,7 +212,7 @@ TEST(EclipseField, IsTheEclipseOfEveryPost)
     Georeference Place;
     const char* Time;
   };
-  // A degree around Burgos; the North Atlantic, all of the path; the whole globe.
+  // A degree around Burgos; the North Atlantic with the whole path; the whole globe.
   const Case cases[] = {
     { OnMap(Geographic, -4.2, 41.8, 0.01, 0.01, 101, 101), "2026-08-12T18:28:20Z" },
     { OnMap(Geographic, -60.0, 30.0, 0.5, 0.5, 161, 101), "2026-08-12T17:46Z" },
@@ -250,7 +255,7 @@ TEST(EclipseField, CostsNothingWhereThereIsNone)
   EXPECT_FALSE(none.Any());
   none.Uncovered(0, 0, 1, 0.0, &left);
   EXPECT_EQ(left, 1.0f);
-  // The same hour, elsewhere: and an eclipse is the Earth's.
+  // The same time at another place. Eclipses are computed on the Earth only.
   EXPECT_FALSE(EclipseField(
     OnMap(Geographic, 10.0, -40.0, 0.01, 0.01, 101, 101), ParseUtcTime("2026-08-12T18:28Z"), 800.0)
                  .Any());

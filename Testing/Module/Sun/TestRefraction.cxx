@@ -14,23 +14,24 @@ using namespace skyline;
 namespace
 {
 
-/// Bennett's formula, from apparent to true elevation (Meeus eq. 16.3), degrees; it and
-/// Saemundsson's were fitted separately and agree to 0.1 minutes.
+/// Bennett's formula, from apparent to true elevation (Meeus, equation 16.3), in degrees. It and
+/// Saemundsson's formula were fitted separately and agree to 0.1 arcminutes.
 double Bennett(double apparent)
 {
   return 1.0 / 60.0 / std::tan((apparent + 7.31 / (apparent + 4.4)) * RadiansPerDegree);
 }
 constexpr double BennettTolerance = 0.1 / 60.0;
 
-/// The tables of ISO 2533 are printed to six digits.
+/// The tables of ISO 2533 have six digits.
 constexpr double TableTolerance = 2e-6;
 
 } // namespace
 
 TEST(Refraction, MeeusExample16)
 {
-  // Lower limb of the setting sun, apparent elevation 30', seen in 1010 hPa and 10 C: true
-  // elevation 1.75', refraction 28.75'. Bennett's formula there, ours from the true side.
+  // The lower limb of the setting sun: apparent elevation 30', at 1010 hPa and 10 C. The true
+  // elevation is 1.75' and the refraction 28.75' by Bennett's formula. Skyline starts from the true
+  // elevation.
   EXPECT_NEAR(Refraction(1.75 / 60.0, Air()) * 60.0, 28.75, 0.1);
 }
 
@@ -57,13 +58,13 @@ TEST(Refraction, ScalesWithTheAir)
 
 TEST(Refraction, ValueAndSlopeAreContinuousAndTheSkyKeepsItsOrder)
 {
-  // Densest air there is: its refraction is the steepest.
+  // The densest possible air, which has the steepest refraction.
   Air air;
   air.PressureHPa = 1085.0;
   air.TemperatureC = -60.0;
   const double step = 0.01;
-  const double steepest = 0.30;   // degrees a degree; found about -0.9 degrees
-  const double bend = 0.35 * 1.5; // slope's change a degree; 0.35 at the peak in normal air
+  const double steepest = 0.30;   // degrees per degree; found near -0.9 degrees
+  const double bend = 0.35 * 1.5; // change of the slope per degree; 0.35 at the peak in normal air
   double previousSlope = 0.0;
   for (double elevation = -90.0; elevation < 90.0; elevation += step)
   {
@@ -89,7 +90,8 @@ TEST(StandardAir, AgreesWithTheTablesOfIso2533)
   } const table[] = { { 0.0, 1013.25, 288.15 }, { 1000.0, 898.746, 281.65 },
     { 5000.0, 540.199, 255.65 }, { 11000.0, 226.321, 216.65 }, { 20000.0, 54.7489, 216.65 },
     { -1000.0, 1139.29, 294.65 }, { -5000.0, 1776.87, 320.65 } };
-  // Geopotential heights, as the formula's; the difference from geometric ones is not worth more.
+  // Geopotential heights, as in the formula. Their difference from geometric heights is not
+  // significant.
   for (const auto& row : table)
   {
     const Air air = StandardAir(row.Height);

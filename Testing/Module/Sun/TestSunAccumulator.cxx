@@ -18,7 +18,7 @@ namespace testing
 namespace
 {
 
-/// Whether the sun is given once or at every post: both must tell the same.
+/// Whether the sun is given once or for each post. Both must give the same result.
 enum class Given
 {
   Once,
@@ -27,10 +27,12 @@ enum class Given
 
 constexpr Given Both[] = { Given::Once, Given::EachPost };
 
-/// 30 chords for a disc, three in a piece; a cut has a kink in the piece where it leaves the disc.
+/// The error with 30 chords per disc, three per piece: a level cut has a kink in the piece where it
+/// leaves the disc.
 constexpr double ChordBound = 5.0e-4;
 
-/// The same for a broken horizon with a kink in most pieces, and the truth's own samples.
+/// The same for a broken horizon with a kink in most pieces, plus the error of the reference's
+/// samples.
 constexpr double RoughBound = 0.005;
 
 constexpr double Radius = 0.27 * RadiansPerDegree;
@@ -57,7 +59,8 @@ SunAccumulator Make(Given given, std::ptrdiff_t columns, std::ptrdiff_t rows, co
     : SunAccumulator(columns, rows, Everywhere(sun), sun.Radius, buffer, limbDarkening);
 }
 
-/// Lit fraction of one post under a horizon: slopes at the azimuths of SunAzimuths.
+/// The visible fraction of the disc at one post, from the slopes of a horizon in the azimuths of
+/// SunAzimuths.
 template <class Slope>
 double Lit(Given given, const SunDisc& sun, const Slope& slope, double limbDarkening = 0.0)
 {
@@ -87,7 +90,7 @@ double CutDisc(double t)
 
 TEST(SunAccumulator, DiscCutByALevelHorizon)
 {
-  // At 2 degrees a level horizon still is a straight line across the disc.
+  // At an elevation of 2 degrees, a level horizon is still a straight line across the disc.
   const SunDisc sun{ 0.001, 2.0 * RadiansPerDegree, Radius };
   for (const Given given : Both)
   {
@@ -128,7 +131,7 @@ TEST(SunAccumulator, PlainHidesTheSunBelowIt)
     EXPECT_EQ(Lit(given, { 1.0, 0.3 * RadiansPerDegree, Radius }, none), 1.0);
     EXPECT_NEAR(Lit(given, { 1.0, 0.0, Radius }, none), 0.5, ChordBound);
     EXPECT_NEAR(Lit(given, { 1.0, -0.5 * Radius, Radius }, none), CutDisc(0.5), ChordBound);
-    // Looking down counts no more than level.
+    // A horizon below the horizontal counts as level.
     EXPECT_EQ(LitAbove(given, { 1.0, -2.0 * RadiansPerDegree, Radius }, -0.2), 0.0);
   }
 }
@@ -151,14 +154,14 @@ TEST(SunAccumulator, AgreesWithSamplesOfTheDisc)
     }
     if (HalfSwath(sun.Elevation, sun.Radius) == Pi)
     {
-      curve.Elevations.back() = curve.Elevations.front(); // the circle closes
+      curve.Elevations.back() = curve.Elevations.front(); // closes the circle
     }
     const auto slope = [&](double azimuth) { return std::tan(curve(azimuth)); };
     for (const double u : { 0.0, EddingtonLimbDarkening })
     {
       if (u > 0.0 && c[1] > 1.0)
       {
-        continue; // limb darkening is good to radius^2
+        continue; // limb darkening is accurate to radius^2
       }
       const double truth =
         oracle::LitFraction(sun.Azimuth, sun.Elevation, sun.Radius, curve, u, 300, 600);
@@ -184,7 +187,7 @@ TEST(SunAccumulator, ZenithSunInAShaft)
 
 TEST(SunAccumulator, TinyDiscsKeepTheirDigits)
 {
-  // A slope of 1 is exact, so the horizon cuts the disc in half however small it is.
+  // A slope of 1 is exact, so the horizon cuts discs of any size in half.
   for (const double radius : { 1.0e-4, 1.0e-6, 1.0e-8 })
   {
     EXPECT_NEAR(
@@ -202,7 +205,7 @@ TEST(SunAccumulator, PointSunIsLitOrNot)
     EXPECT_EQ(LitAbove(given, sun, 0.4001), 0.0);
     EXPECT_EQ(LitAbove(given, { 2.0, 0.5 * Pi, 0.0 }, 1.5), 1.0);
 
-    // Between two azimuths the horizon is linear: 0.3 at 1.9, 0.5 at 2.1 and so 0.4 at 2.
+    // Between two azimuths the horizon is linear: 0.3 at 1.9 and 0.5 at 2.1, so 0.4 at 2.
     float lit = -1.0f;
     SunAccumulator low = Make(given, 1, 1, { 2.0, 0.401, 0.0 }, &lit);
     const float slopes[3] = { 0.0f, std::tan(0.3f), std::tan(0.5f) };
@@ -219,7 +222,7 @@ TEST(SunAccumulator, PointSunIsLitOrNot)
 
 TEST(SunAccumulator, EdgeHidesTheSideItStandsOn)
 {
-  // A wall up to the sun's azimuth, nothing after: half the disc, wherever north is.
+  // A wall up to the azimuth of the sun and nothing beyond: half of the disc, also across north.
   for (const double azimuth : { 0.0, 3.0, 6.28 })
   {
     const SunDisc sun{ azimuth, 0.5, Radius };
@@ -236,7 +239,7 @@ TEST(SunAccumulator, EdgeHidesTheSideItStandsOn)
 
 TEST(SunAccumulator, EachPostHasItsSun)
 {
-  // Suns along a row, from 4 degrees west of north to 4 degrees east of it, and a broken ridge.
+  // Suns along a row, from 4 degrees west to 4 degrees east of north, and a broken ridge.
   const std::ptrdiff_t columns = 40;
   const double elevation = 0.3;
   const auto azimuthOf = [](std::ptrdiff_t column)
@@ -258,7 +261,7 @@ TEST(SunAccumulator, EachPostHasItsSun)
   {
     std::vector<float> lit(static_cast<std::size_t>(columns));
     SunAccumulator accumulator(columns, 1, directions, Radius, PostBuffer{ lit.data(), 1 }, u);
-    // Nodes close enough that the ridge between them is no matter.
+    // The nodes are so close that the ridge between them has no effect.
     for (int k = 0; k <= 1000; ++k)
     {
       const double azimuth = (-5.0 + 0.01 * k) * RadiansPerDegree;

@@ -14,8 +14,8 @@ namespace testing
 namespace
 {
 
-/// Three-point Gauss rules over pieces of pi / 8: the parts of a disc make up the disc to this, of
-/// 1.
+/// Gauss rules with three points over pieces of pi / 8. The parts of a disc add up to the disc with
+/// this relative error.
 constexpr double GaussBound = 1.0e-6;
 
 double AngleBetween(double azimuth, double elevation, const SunDisc& disc)
@@ -73,7 +73,7 @@ TEST(SunDisc, SlicesMakeUpTheDisc)
       {
         if (u > 0.0 && radius > 0.01)
         {
-          continue; // limb darkening is good to radius^2
+          continue; // limb darkening is accurate to radius^2
         }
         const SunDisc disc{ 0.0, elevation, radius };
         const double swath = HalfSwath(elevation, radius);
@@ -86,10 +86,11 @@ TEST(SunDisc, SlicesMakeUpTheDisc)
             disc, swath * (2.0 * k / slices - 1.0), swath * (2.0 * (k + 1) / slices - 1.0), u);
           light += slice.Whole();
         }
-        // Solid angle, and the mean of 1 - u (1 - mu) over a disc: 1 - u / 3.
+        // The solid angle times the mean of 1 - u (1 - mu) over a disc, 1 - u / 3.
         const double half = std::sin(0.5 * radius);
         const double truth = 4.0 * Pi * half * half * (1.0 - u / 3.0);
-        // Chords about the zenith turn within a slice where the rim passes near it.
+        // Around the zenith, the chords change direction within a slice where the rim passes near
+        // it.
         const double bound = swath == Pi && elevation != 0.5 * Pi ? 1.0e-3 : 50.0 * GaussBound;
         EXPECT_NEAR(light / truth, 1.0, bound) << elevation << " " << radius << " " << u;
       }
@@ -128,7 +129,7 @@ TEST(SunDisc, AzimuthsCoverTheSwathAndAreFew)
   EXPECT_EQ(zenith.size(), 25u);
   EXPECT_NEAR(zenith.back() - zenith.front(), 2.0 * Pi, 1e-12);
 
-  // Suns over 3 degrees of azimuth, across north: nodes no further apart than for the lowest one.
+  // Suns over 3 degrees of azimuth across north: the nodes are as close as for the lowest sun.
   const std::vector<double> many = SunAzimuths(6.25, 6.25 + 0.05, 0.1, 0.4, radius);
   EXPECT_LE(many.front(), 6.25 - HalfSwath(0.4, radius) + 1e-12);
   EXPECT_GE(many.back(), 6.30 + HalfSwath(0.4, radius) - 1e-12);

@@ -17,7 +17,7 @@ using namespace skyline;
 namespace
 {
 
-/// Unit vectors are floats: 6e-8 radians a component.
+/// Unit vectors are floats: 6e-8 radians per component.
 constexpr double FloatTolerance = 1.5e-5; // degrees
 
 struct Direction
@@ -37,7 +37,7 @@ double Angle(const Direction& a, const Direction& b)
   return 2.0 * std::asin(0.5 * chord) * DegreesPerRadian;
 }
 
-/// The sun at a post, without a field.
+/// The sun at a post, computed without a field.
 Direction Direct(
   const Georeference& place, const UtcTime& time, double height, double column, double row)
 {
@@ -47,7 +47,7 @@ Direction Direct(
   return FromAngles(place.GridAzimuthAt(column, row, sun.Azimuth), sun.ApparentElevation);
 }
 
-/// Greatest angle between the field and the direct computation, at some hundred posts.
+/// The greatest angle between the field and the direct computation, at some hundred posts.
 double WorstError(const Georeference& place, const std::string& text)
 {
   const UtcTime time = ParseUtcTime(text);
@@ -65,7 +65,7 @@ double WorstError(const Georeference& place, const std::string& text)
           Direct(place, time, 1000.0, u * lastColumn, v * lastRow)));
     }
   }
-  // The place's own lattice, where one quadratic ends and the next begins, adds a millionth.
+  // At the transition between two quadratics, the lattice of the place adds 1e-6.
   EXPECT_LE(worst, field.InterpolationError() + 1e-6) << text;
   return worst;
 }
@@ -75,7 +75,7 @@ double WorstError(const Georeference& place, const std::string& text)
 TEST(SunField, FiveDegreesAtMidLatitude)
 {
   const Georeference place = OnMap(Geographic, -124.0, 43.0, 5.0 / 6000, 5.0 / 6000, 6001, 6001);
-  // Morning, noon, sunset, the sun in the deepest refraction, night.
+  // Morning, noon, sunset, the sun at the greatest refraction, and night.
   double worst = 0.0;
   for (const char* time : { "2026-06-21T14:00Z", "2026-06-21T20:10Z", "2026-06-22T03:55Z",
          "2026-06-22T04:15Z", "2026-12-21T08:00Z" })
@@ -125,7 +125,7 @@ TEST(SunField, AzimuthsCountFromGridNorth)
   const GridSun grid = SunField(place, time, 2000.0).At(549.5, 549.5);
   EXPECT_NEAR(grid.Elevation, sun.ApparentElevation, SunFieldTolerance);
   EXPECT_EQ(grid.Radius, sun.AngularRadius);
-  // Grid north points 14 degrees west of true north; Albers distorts angles by up to half a degree.
+  // Grid north points 14 degrees west of true north. Albers distorts angles by up to half a degree.
   EXPECT_NEAR(grid.Azimuth, sun.Azimuth + 14.0, 0.6);
 }
 
@@ -188,12 +188,13 @@ TEST(SunField, BoundsHoldEveryAzimuth)
     double Narrowest, Widest;
   } cases[] = {
     { "morning", OnMap(Geographic, -124.0, 43.0, 0.01, 0.01, 501, 501), "2026-06-21T14:00Z", 1, 6 },
-    // In the south the sun stands north at noon: the arc crosses 360.
+    // In the southern hemisphere the sun is north at noon, so the arc crosses 360 degrees.
     { "north", OnMap(Geographic, -2.5, -45.0, 0.01, 0.01, 501, 501), "2026-06-21T12:00Z", 4, 7 },
-    // The sun in the zenith of a post: every azimuth.
+    // The sun at the zenith of a post: all azimuths.
     { "zenith", OnMap(Geographic, -2.5, -2.5, 0.01, 0.01, 501, 501), "2026-03-20T12:08Z", 360,
       360 },
-    // The zenith just outside, seen from 4 degrees of longitude to the west and the same south.
+    // The sun at the zenith just outside, seen from up to 4 degrees of longitude to the west and as
+    // far south.
     { "beside", OnMap(Geographic, -4.6, -2.0, 0.01, 0.01, 401, 401), "2026-03-20T12:08Z", 90, 180 },
   };
   for (const auto& entry : cases)

@@ -15,11 +15,11 @@ using namespace skyline;
 namespace
 {
 
-/// NREL states 0.0003 degrees for its algorithm.
+/// NREL states an uncertainty of 0.0003 degrees for its algorithm.
 constexpr double NrelTolerance = 0.0003;
 
-/// UT1 - UTC up to 0.9 s is 0.0038 degrees; refraction formulas differ by 0.1 minutes (0.0017); the
-/// table is rounded to 0.0001.
+/// UT1 - UTC of up to 0.9 s is 0.0038 degrees. Refraction formulas differ by 0.1 arcminutes (0.0017
+/// degrees). The table is rounded to 0.0001 degrees.
 constexpr double JplTolerance = 0.01;
 
 Air MakeAir(double pressure, double temperature)
@@ -42,8 +42,8 @@ double Turn(double a, double b)
   return std::remainder(a - b, 360.0);
 }
 
-/// Second after 0h UTC of a date, from `begin` to `end` (days before and after count on), at which
-/// the airless elevation passes `level`.
+/// The second after 0h UTC of a date at which the elevation without air passes `level`, between
+/// `begin` and `end`. Seconds of earlier and later days are negative or greater than a day.
 double Crossing(const std::string& date, double begin, double end, double level)
 {
   const auto elevation = [&](double second)
@@ -91,7 +91,7 @@ TEST(SunPosition, NrelWorkedExample)
   EXPECT_NEAR(90.0 - sun.ApparentElevation, number("theta"), NrelTolerance);
   EXPECT_NEAR(90.0 - sun.Elevation, number("theta0"), NrelTolerance);
   EXPECT_NEAR(sun.ApparentElevation - sun.Elevation, number("de"), 1e-5);
-  // Geocentric distance, an Earth radius more or less.
+  // The geocentric distance, within one Earth radius.
   const double radius = std::asin(SolarRadius / (number("R") * 149597870700.0)) * DegreesPerRadian;
   EXPECT_NEAR(sun.AngularRadius / radius, 1.0, 5e-5);
   RecordProperty("azimuth_error", std::to_string(sun.Azimuth - number("Phi")));
@@ -127,7 +127,7 @@ TEST(SunPosition, JplHorizons)
     const SunDirection sun = ComputeSun(ParseUtcTime(row.at("utc")), Number(row, "lon_deg_east"),
       Number(row, "lat_deg"), Number(row, "height_m"), Air());
     const double elevation = Number(row, "elevation_deg");
-    // Near the zenith a tiny displacement is a large azimuth: compare on the sky.
+    // Near the zenith a tiny displacement is a large azimuth, so angles on the sky are compared.
     const double azimuth = Turn(sun.Azimuth, Number(row, "azimuth_deg_from_north_cw"));
     const double onSky = azimuth * std::cos(elevation * RadiansPerDegree);
     EXPECT_NEAR(onSky, 0.0, JplTolerance) << row.at("utc");
@@ -160,8 +160,9 @@ TEST(SunPosition, JplHorizons)
 
 TEST(SunPosition, RiseSetAndTransitInGolden)
 {
-  // Rise and set: the centre is 50 minutes under the horizon. NREL takes it from the Earth's centre
-  // (9 seconds of arc, 1 s) and gives whole seconds; the Observatory gives whole minutes.
+  // At sunrise and sunset the centre is 50 arcminutes below the horizon. NREL computes it for the
+  // centre of the Earth (9 arcseconds, 1 s) and gives whole seconds; the Observatory gives whole
+  // minutes.
   const double level = -(0.26667 + 0.5667);
   const double zone = 7.0 * 3600.0;
   for (const TableRow& row : ReadTable("sun/solar_rise_set_golden_co.csv"))
@@ -172,7 +173,7 @@ TEST(SunPosition, RiseSetAndTransitInGolden)
     const double day = 24.0 * 3600.0, noon = 12.0 * 3600.0 + zone;
     const double rise = Crossing(date, zone, noon, level);
     double set = Crossing(date, noon, noon + 0.5 * day, level);
-    // NREL's calculator answers for the UTC day, and in summer its sunset is the evening before.
+    // NREL's calculator uses the UTC day; in summer its sunset is that of the evening before.
     if (!observatory && set > day)
     {
       set = day + Crossing(date, noon - day, noon - 0.5 * day, level);
@@ -180,7 +181,7 @@ TEST(SunPosition, RiseSetAndTransitInGolden)
     EXPECT_NEAR(rise - zone, Seconds(row.at("sunrise_MST")), tolerance) << date;
     EXPECT_NEAR(set - zone, Seconds(row.at("sunset_MST")), tolerance) << date;
 
-    // At the transit the sun is in the south; its azimuth runs there faster than 15 degrees an
+    // At the transit the sun is in the south, where its azimuth changes faster than 15 degrees per
     // hour.
     const double seconds = Seconds(row.at("transit_MST")) + zone;
     UtcTime transit = ParseUtcTime(date);
@@ -189,20 +190,21 @@ TEST(SunPosition, RiseSetAndTransitInGolden)
     transit.Second = static_cast<int>(seconds) % 60;
     const double azimuth =
       ComputeSun(transit, -105.1786, 39.742476, 1830.14, NoAir()).Azimuth - 180.0;
-    const double fastest = 3.0 * 15.0 / 3600.0; // degrees a second at 68 degrees of elevation
+    const double fastest = 3.0 * 15.0 / 3600.0; // degrees per second at an elevation of 68 degrees
     EXPECT_NEAR(azimuth, 0.0, tolerance * fastest) << date;
   }
 }
 
 TEST(SunPosition, LeapSecondIsOneSecondLong)
 {
-  // UT1 - UTC was -0.4086 s before and 0.5914 s after (IERS Bulletin D 131 and C 52, B 348).
+  // UT1 - UTC was -0.4086 s before and 0.5914 s after the leap second (IERS Bulletin D 131 and C
+  // 52, B 348).
   const auto elevation = [](const char* text, double ut1MinusUtc)
   { return ComputeSun(ParseUtcTime(text), 90.0, 0.0, 0.0, NoAir(), ut1MinusUtc).Elevation; };
   const double before = elevation("2016-12-31T23:59:59Z", -0.4086);
   const double within = elevation("2016-12-31T23:59:60Z", -0.4086);
   const double after = elevation("2017-01-01T00:00:00Z", 0.5914);
-  // The sun rises here straight up, 15 degrees an hour times the cosine of its declination.
+  // Here the sun rises vertically, by 15 degrees per hour times the cosine of its declination.
   const double second = 15.0 / 3600.0 * std::cos(23.02 * RadiansPerDegree);
   EXPECT_NEAR(within - before, second, 1e-5);
   EXPECT_NEAR(after - within, second, 1e-5);
@@ -221,9 +223,9 @@ TEST(SunPosition, Ut1MinusUtcTurnsTheSky)
 TEST(SunPosition, PolesAndAntimeridian)
 {
   const SunEphemeris sun(ParseUtcTime("2026-06-21T06:00Z"));
-  // At the poles the elevation is the declination, whatever the longitude.
+  // At the poles the elevation is the declination, for any longitude.
   const double north = sun.At(0.0, 90.0, 0.0, NoAir()).Elevation;
-  EXPECT_NEAR(north, 23.436, 0.003 + 0.001); // obliquity, less the parallax
+  EXPECT_NEAR(north, 23.436, 0.003 + 0.001); // the obliquity minus the parallax
   for (double longitude = -180.0; longitude <= 540.0; longitude += 45.0)
   {
     EXPECT_NEAR(sun.At(longitude, 90.0, 0.0, NoAir()).Elevation, north, 1e-9);
@@ -240,7 +242,7 @@ TEST(SunPosition, PolesAndAntimeridian)
 
 TEST(SunPosition, AzimuthIsContinuousAcrossNorthAndWithinItsRange)
 {
-  // Southern hemisphere: the sun passes north at noon.
+  // In the southern hemisphere the sun passes north at noon.
   double previous = 0.0;
   for (int minute = 0; minute < 24 * 60; ++minute)
   {
@@ -260,7 +262,7 @@ TEST(SunPosition, AzimuthIsContinuousAcrossNorthAndWithinItsRange)
 
 TEST(SunPosition, AngularRadiusFollowsTheYear)
 {
-  // Perihelion 0.98329 AU and aphelion 1.01671 AU; an Earth radius of 4e-5 AU is below the
+  // Perihelion 0.98329 au and aphelion 1.01671 au. An Earth radius of 4e-5 au is below the
   // tolerance.
   const double perihelion =
     ComputeSun(ParseUtcTime("2026-01-03T17:00Z"), 0.0, 50.0, 0.0, Air()).AngularRadius;

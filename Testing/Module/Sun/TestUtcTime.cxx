@@ -11,7 +11,7 @@ using namespace skyline;
 namespace
 {
 
-/// Decimal fractions are not binary; the parser's last digit may be off.
+/// Decimal fractions are not exact in binary, so the last digit can differ.
 constexpr double SecondTolerance = 1e-9;
 
 std::string Reason(const std::string& text)
@@ -47,7 +47,8 @@ TEST(UtcTime, MissingPartsAreZeroAndMissingZoneIsUtc)
   EXPECT_EQ(ToText(ParseUtcTime("2026-06-21T06:00Z")), "2026-06-21T06:00:00Z");
 }
 
-// What str(datetime), str(pandas.Timestamp), strftime("%z"), numpy.datetime64 and GNU date print.
+// The output of str(datetime), str(pandas.Timestamp), strftime("%z"), numpy.datetime64 and GNU
+// date.
 TEST(UtcTime, ReadsWhatPythonAndPandasPrint)
 {
   for (const char* text : { "2026-06-21 06:00:00+00:00", "2026-06-21 06:00:00", "2026-06-21 06:00Z",
@@ -78,7 +79,7 @@ TEST(UtcTime, FractionsOfSeconds)
 {
   EXPECT_EQ(ToText(ParseUtcTime("2026-06-21T06:00:30.1Z")), "2026-06-21T06:00:30.100Z");
   EXPECT_EQ(ToText(ParseUtcTime("2026-06-21T06:00:30,5Z")), "2026-06-21T06:00:30.500Z");
-  // Does not round up into a second that the minute does not have.
+  // The seconds are not rounded up to 60.
   const std::string nines = "2026-06-21T06:00:59." + std::string(400, '9') + "Z";
   EXPECT_LT(ParseUtcTime(nines).Second, 60.0);
   EXPECT_EQ(ToText(ParseUtcTime(nines)), "2026-06-21T06:00:59.999Z");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// GLFW's window: its callbacks, called as GLFW would, reach the viewer.
+// The window of GLFW: its callbacks, called as GLFW calls them, must reach the viewer.
 #include "Failure.h"
 #include "GlfwWindow.h"
 #include "ViewerTesting.h"
@@ -47,7 +47,7 @@ protected:
     this->Window.reset();
   }
 
-  // GLFW gives a callback back when another is set.
+  // GLFW returns a callback when another one is set.
   template <typename Callback>
   Callback Take(Callback (*set)(GLFWwindow*, Callback))
   {
@@ -114,7 +114,7 @@ TEST_F(GlfwWindowTest, MouseComesFromTheTop)
   this->Take(glfwSetCursorPosCallback)(handle, x + 0.25 * box.Width, y);
   EXPECT_NEAR(this->View->GetState().Clock.GetMinutes(), 1080.0, 1440.0 / box.Width);
   button(handle, GLFW_MOUSE_BUTTON_LEFT, GLFW_RELEASE, 0);
-  button(handle, GLFW_MOUSE_BUTTON_4, GLFW_PRESS, 0); // nothing
+  button(handle, GLFW_MOUSE_BUTTON_4, GLFW_PRESS, 0); // has no function
   this->Take(glfwSetScrollCallback)(handle, 0.0, 1.0);
   EXPECT_TRUE(this->View->Draw(this->Now += 1.0));
 }

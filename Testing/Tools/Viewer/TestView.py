@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""`skyline view` as its users run it: in an X window, moved by synthetic keys and mouse.
+"""`skyline view` as users run it: in an X window, with synthetic keys and mouse events.
 
     python3 TestView.py PROGRAM DATA
 """
@@ -17,12 +17,12 @@ import unittest
 import Program
 from Program import np
 
-PATIENCE = 90.0  # seconds for a picture, on a busy machine
-LEAST_CHANGE = 0.5  # codes of 255; nothing moved changes nothing, two hours of sun three times this
+PATIENCE = 90.0  # seconds until a picture is drawn on a busy machine
+LEAST_CHANGE = 0.5  # codes of 255: without a change 0, after two hours of sun three times this value
 
 
 class Server:
-    """Xvfb, for as long as a test lasts."""
+    """An Xvfb server for the duration of a test."""
 
     def __init__(self, size="1024x768"):
         read, write = os.pipe()
@@ -39,7 +39,7 @@ class Server:
 
 
 class Hands:
-    """Keys and mouse by the XTEST extension."""
+    """Sends keys and mouse events by the XTEST extension."""
 
     def __init__(self, display):
         self.x11 = ctypes.CDLL(ctypes.util.find_library("X11"))
@@ -123,7 +123,7 @@ class Window(Program.ToolTest):
 
     @staticmethod
     def change(before, after):
-        """Codes by which the middle of the window changed, where nothing is written."""
+        """The change of the codes in the middle of the window, where there is no text."""
         rows, columns = before.shape[-2] // 4, before.shape[-1] // 4
         middle = (Ellipsis, slice(rows, -rows), slice(columns, -columns))
         return np.abs(after[middle] - before[middle]).mean()
@@ -153,7 +153,7 @@ class Window(Program.ToolTest):
         self.start("--verbose", "--size", "320x240")
         self.wait(lambda: "picture 1:" in self.text(), "a picture")
         self.running.send_signal(signal.SIGINT)
-        # By the signal itself, so that a shell's loop stops too.
+        # By the signal itself, so that a loop in the shell stops too.
         self.assertEqual(self.leave(), -signal.SIGINT)
         self.assertIn("interrupted", self.text())
 

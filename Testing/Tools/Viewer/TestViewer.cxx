@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The viewer in a window without a window system: what events do to the picture.
+// The viewer in a window without a window system: the effects of events on the picture.
 #include "ViewerTesting.h"
 
 #include "vtkCamera.h"
@@ -23,10 +23,11 @@ namespace testing
 namespace
 {
 
-// Light at a place against that at the nearest post, the median of a row of pixels.
+// Compares the light at a position with that of the nearest post: the median over a row of pixels.
 constexpr double NearestPost = 0.02;
 
-// A row of the sky's picture, a degree, against the next.
+// The difference between two neighbouring rows of the picture of the sky, which are one degree
+// apart.
 constexpr float NextRow = 0.02f;
 
 bool HasPass(const PassTimes& times, const std::string& name)
@@ -102,7 +103,7 @@ TEST_F(ViewerTest, CameraStaysAboveTheGround)
   EXPECT_GT(this->View->GetScene().GetHeading(), 0.0) << "it still turns";
 }
 
-// What the picture has in its middle stays there while the camera turns about it.
+// The object in the middle of the picture stays there while the camera turns around it.
 TEST_F(ViewerTest, CameraTurnsAboutTheGroundInTheMiddle)
 {
   this->Open();
@@ -156,7 +157,7 @@ TEST_F(ViewerTest, LampsArePlacedAndMoved)
   ASSERT_EQ(this->View->GetState().Lamps.size(), 1u);
   const double lit = Brightness(this->Window, x - 15, y - 15, x + 15, y + 15);
   const ViewerLamp placed = this->View->GetState().Lamps[0];
-  // The ball stands over its foot: take it there.
+  // The lamp is above its foot. It is dragged by the foot.
   ScenePoint foot = this->View->GetScene().GetFoot(placed);
   EXPECT_NEAR(foot[0], x, 2.0);
   EXPECT_NEAR(foot[1], y, 2.0);
@@ -182,7 +183,7 @@ TEST_F(ViewerTest, LampsArePlacedAndMoved)
   EXPECT_EQ(this->View->GetMessage(), "no ground under the mouse for a lamp");
 }
 
-// The light that follows the hand is that of the next rest, but for its shadows.
+// While a lamp is dragged, its light is the same as after the next rest, except for the shadows.
 TEST_F(ViewerTest, LampsShineTheSameWhileTheyMove)
 {
   ViewerOptions options = Quick();
@@ -316,7 +317,7 @@ TEST_F(ViewerTest, ScreenshotsHoldThePicture)
   EXPECT_GT(Brightness(this->Window), 20.0) << "the window is as before";
 }
 
-// The picture in linear light, read back as a light map, which is twice as wide as high.
+// The picture in linear light, read back as a light map, whose width is twice its height.
 TEST_F(ViewerTest, LinearScreenshotsHoldTheRadiance)
 {
   const ViewerOptions options = Quick();

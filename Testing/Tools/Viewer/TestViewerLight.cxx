@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of the window's light that need no window: twilight, exposure, moving lamps, skies.
+// The parts of the viewer's light that need no window: twilight, exposure, moving lamps, skies.
 #include "Exposure.h"
 #include "LampPreview.h"
 #include "Lamps/Lamp.h"
@@ -22,13 +22,13 @@ namespace skyline
 namespace
 {
 
-// The polynomials meet within a hundredth of a magnitude of ten.
+// The polynomials agree to a hundredth of a power of ten.
 constexpr double LogarithmTolerance = 0.011;
 
-// Floats, summed from single posts.
+// The error of floats, summed over single posts.
 constexpr double FloatTolerance = 1.0e-5;
 
-// A field of posts 10 m apart that is flat but for a wall across column 30.
+// A flat field with posts 10 m apart and a wall across column 30.
 vtkSmartPointer<vtkImageData> Wall(double height)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -122,7 +122,7 @@ TEST(LampPreview, OnAPlaneIsExact)
   }
 }
 
-// The lamp's centre at z = 20 stands 100 m west of a wall 12 m high: its shadow ends at 250 m.
+// The centre of the lamp at z = 20 is 100 m west of a wall 12 m high: its shadow ends at 250 m.
 TEST(LampPreview, WallsThrowShadowsWithAPenumbra)
 {
   const LampPreview preview(Wall(12.0));
@@ -131,7 +131,8 @@ TEST(LampPreview, WallsThrowShadowsWithAPenumbra)
   EXPECT_EQ(at(25), 1.0f);
   EXPECT_EQ(at(32), 0.0f);
   EXPECT_NEAR(at(45), 0.5f, FloatTolerance);
-  // 25 and 15 m, the lamp's ends, give 192 and 500 m from the lamp: none of it, all of it.
+  // 25 and 15 m, the top and the bottom of the lamp, give 192 and 500 m from the lamp: there none
+  // or all of it is visible.
   EXPECT_EQ(at(20 + 19), 0.0f);
   EXPECT_NEAR(at(20 + 39), 0.5 + 0.5 * (20.0 - 12.0 * 390.0 / 290.0) / 5.0, FloatTolerance);
   for (int column = 33; column < 61; ++column)
@@ -172,7 +173,8 @@ TEST(SkyImage, FormulasHaveTheLevelAskedFor)
   {
     const Rgb level{ { 1.0f, 2.0f, 3.0f } };
     const SkyImage sky = MakeSkyImage(Under(name), level, level);
-    // Irradiance of level ground over pi: the mean by sine times solid angle.
+    // The irradiance of level ground divided by pi: the mean with the weights sine times solid
+    // angle.
     double sum = 0.0;
     for (std::ptrdiff_t row = 0; row < sky.Rows / 2; ++row)
     {
@@ -182,7 +184,7 @@ TEST(SkyImage, FormulasHaveTheLevelAskedFor)
       const auto pixel = static_cast<std::size_t>(3 * row * sky.Columns);
       sum += sky.Values[pixel + 1] * (low * low - top * top);
     }
-    EXPECT_NEAR(sum, 2.0, 0.001) << name; // rows of a degree
+    EXPECT_NEAR(sum, 2.0, 0.001) << name; // rows of one degree
   }
 }
 

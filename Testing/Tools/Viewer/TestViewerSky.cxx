@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sky behind the terrain: where it is, and how bright night is.
+// The sky behind the terrain: its position, and its brightness at night.
 #include "ViewerTesting.h"
 
 #include "Shared/Constants.h"
@@ -21,13 +21,15 @@ namespace testing
 namespace
 {
 
-// Pixels, from the middle of the sun's picture to where it should be.
+// Pixels between the centre of the sun's picture and its correct position.
 constexpr double PlaceTolerance = 4.0;
 
-// Degrees, from the sun's azimuth to where the lit slopes look: the terrain has not all slopes alike.
+// Degrees between the azimuth of the sun and that of the lit slopes, because slopes are not equally
+// frequent in all directions.
 constexpr double SlopeTolerance = 12.0;
 
-// A map of 64 x 32 pixels of faint light with one bright pixel, as a Radiance file without run lengths.
+// A map of 64 x 32 pixels with faint light and one bright pixel, as a Radiance file without run
+// lengths.
 constexpr int MapColumns = 64;
 constexpr int MapRows = 32;
 constexpr int SunColumn = 40;
@@ -55,7 +57,7 @@ std::string WriteSunMap()
 class ViewerSky : public ViewerTest
 {
 protected:
-  // From high over the terrain into a direction, degrees.
+  // Looks from high above the terrain in a direction, degrees.
   void Look(double azimuth, double elevation)
   {
     const double a = azimuth * RadiansPerDegree;
@@ -71,7 +73,7 @@ protected:
     this->Rest();
   }
 
-  // Where the brightest pixels of the picture's middle are, from its centre.
+  // The position of the brightest pixels in the middle of the picture, relative to its centre.
   std::array<double, 2> Brightest()
   {
     vtkNew<vtkUnsignedCharArray> pixels;
@@ -98,7 +100,7 @@ protected:
     return { { sum[0] / weights, sum[1] / weights } };
   }
 
-  // The sum over the terrain of its light times the direction in which it slopes down.
+  // The sum over the terrain of its light times the direction of its downward slope.
   std::array<double, 2> LitSlopes()
   {
     vtkImageData* lit = this->View->GetScene().GetShader()->GetHeightField();
@@ -141,7 +143,8 @@ TEST_F(ViewerSky, SunOfAMapStandsWhereItsLightComesFrom)
   EXPECT_NEAR(place[0], 0.0, PlaceTolerance);
   EXPECT_NEAR(place[1], 0.0, PlaceTolerance);
 
-  // The light of the map against that of the map turned by 180 degrees, so that colours cancel out.
+  // The light of the map, compared with that of the map turned by 180 degrees, so that colours have
+  // no effect.
   const auto here = this->LitSlopes();
   for (int k = 0; k < 18; ++k)
   {
@@ -186,19 +189,20 @@ TEST_F(ViewerSky, NightIsDarkButNotBlack)
   EXPECT_NE(this->View->GetHud().Status.find("exposure fixed"), std::string::npos);
 }
 
-// A pixel of the scale bar against two places on the ground beside the picture's middle.
+// A pixel of the scale bar, compared with two positions on the ground near the middle of the
+// picture.
 TEST_F(ViewerSky, ScaleBarHoldsInTheMiddle)
 {
   this->Open();
   this->View->MouseMove(300, 250);
-  this->DragTo(330, 290, MouseButton::Middle); // off the middle of the terrain
+  this->DragTo(330, 290, MouseButton::Middle); // away from the middle of the terrain
   this->Rest();
   ScenePoint west;
   ScenePoint east;
   const double step = 3.0;
   ASSERT_TRUE(this->View->GetScene().FindPlace(0.5 * Width - step, 0.5 * Height, west));
   ASSERT_TRUE(this->View->GetScene().FindPlace(0.5 * Width + step, 0.5 * Height, east));
-  const double across = std::abs(east[0] - west[0]); // it looks north
+  const double across = std::abs(east[0] - west[0]); // the camera looks north
   EXPECT_NEAR(
     this->View->GetHud().MetresAPixel, across / (2.0 * step), 0.03 * across / (2.0 * step));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What keys and drags do to the viewer's numbers, and where its display has its parts.
+// The effects of keys and drags on the settings of the viewer, and the layout of its display.
 #include "HeightRay.h"
 #include "HudLayout.h"
 #include "Sun/UtcTime.h"
@@ -25,7 +25,7 @@ namespace
 constexpr Modifiers Plain{};
 constexpr Modifiers Shift{ true, false };
 
-// Places found by halving are a hundredth of a post off at most.
+// Positions found by bisection have an error of at most a hundredth of a post.
 constexpr double PlaceTolerance = 0.01;
 
 TEST(SunClock, ZonesFollowTheLongitude)
@@ -108,7 +108,7 @@ TEST(ViewerState, ArrowKeysMoveTheSunByDirection)
   {
     state.Press(KeyDown, Plain);
   }
-  EXPECT_EQ(state.Elevation, -20.0); // where its slider ends
+  EXPECT_EQ(state.Elevation, -20.0); // the end of its slider
 }
 
 TEST(ViewerState, SlidersSpanDayAndYear)
@@ -135,10 +135,10 @@ TEST(ViewerState, AnimatesADay)
   state.ByTime = true;
   state.Clock = SunClock(2026, 172, 600.0, 0);
   state.Advance(1.0);
-  EXPECT_EQ(state.Clock.GetMinutes(), 600.0); // not asked to
+  EXPECT_EQ(state.Clock.GetMinutes(), 600.0); // the animation is off
   state.Press(KeySpace, Plain);
   state.Advance(30.0);
-  EXPECT_NEAR(state.Clock.GetMinutes(), 600.0, 1.0e-6); // once round
+  EXPECT_NEAR(state.Clock.GetMinutes(), 600.0, 1.0e-6); // a full day
   EXPECT_EQ(state.Clock.GetDayOfYear(), 172);
 }
 
@@ -164,14 +164,14 @@ TEST(ViewerState, HeightsComeBackToOne)
 TEST(ViewerState, LampKeysMeanTheChosenOne)
 {
   ViewerState state;
-  EXPECT_EQ(state.Press(']', Plain), ViewerWish::Changed); // no lamp: nothing happens
+  EXPECT_EQ(state.Press(']', Plain), ViewerWish::Changed); // there is no lamp, so nothing happens
   state.AddLamp({ 0, 0, 5, 2, { { 1, 1, 1 } } });
   state.AddLamp({ 9, 9, 1, 2, { { 4, 4, 4 } } });
   state.Press('[', Plain);
   EXPECT_EQ(state.Lamps[0].Radiance[0], 1.0);
   EXPECT_NEAR(state.Lamps[1].Radiance[0], 3.2, 1.0e-12);
   state.Press(KeyPageDown, Plain);
-  EXPECT_EQ(state.Lamps[1].Height, 0.0); // not into the ground
+  EXPECT_EQ(state.Lamps[1].Height, 0.0); // not below the ground
   state.Press(KeyDelete, Plain);
   ASSERT_EQ(state.Lamps.size(), 1u);
   EXPECT_EQ(state.Lamps[0].X, 0.0);
@@ -261,7 +261,7 @@ TEST(ScaleBar, LengthsAreRound)
   EXPECT_EQ(LengthText(0.005), "5 mm");
 }
 
-// A plane that rises by a metre a metre eastwards, posts 10 m apart.
+// A plane that rises by a metre per metre to the east, with posts 10 m apart.
 vtkSmartPointer<vtkImageData> Slope()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -285,11 +285,11 @@ TEST(HeightRay, MeetsTheSlope)
   const auto slope = Slope();
   ScenePoint found;
   ASSERT_TRUE(FindGround(slope, 1.0, { { 0.0, 50.0, 120.0 } }, { { 200.0, 50.0, 20.0 } }, found));
-  // z = 120 - x / 2 meets z = x at 80.
+  // The ray z = 120 - x / 2 meets z = x at 80.
   EXPECT_NEAR(found[0], 80.0, 10.0 * PlaceTolerance);
   EXPECT_NEAR(found[2], 80.0, 10.0 * PlaceTolerance);
   ASSERT_TRUE(FindGround(slope, 2.0, { { 0.0, 50.0, 120.0 } }, { { 200.0, 50.0, 20.0 } }, found));
-  EXPECT_NEAR(found[0], 48.0, 10.0 * PlaceTolerance); // twice as high
+  EXPECT_NEAR(found[0], 48.0, 10.0 * PlaceTolerance); // twice the heights
   ASSERT_TRUE(FindGround(slope, 1.0, { { 33.0, 44.0, 1e5 } }, { { 33.0, 44.0, -1e5 } }, found));
   EXPECT_NEAR(found[2], 33.0, 1.0e-9); // straight down
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A viewer on the bundled DEM, and the pixels it shows.
+// A viewer of the included DEM, and the pixels that it shows.
 #ifndef skyline_ViewerTesting_h
 #define skyline_ViewerTesting_h
 
@@ -35,7 +35,7 @@ inline std::string Data(const std::string& name)
   return std::string(SKYLINE_TEST_DATA) + "/" + name;
 }
 
-/// An empty folder of a test's own for screenshots.
+/// Makes an empty folder for the screenshots of this test alone.
 inline std::string ShotFolder()
 {
   const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
@@ -46,7 +46,7 @@ inline std::string ShotFolder()
   return folder.string();
 }
 
-/// Few azimuths: quick.
+/// Few azimuths, so that the tests are fast.
 inline ViewerOptions Quick()
 {
   ViewerOptions options;
@@ -65,7 +65,7 @@ inline Talk Silent()
   return talk;
 }
 
-/// Draws until the picture is as good as it gets; `now` goes on. False after too many pictures.
+/// Draws until the picture is final, while `now` increases. Returns false after too many pictures.
 inline bool Settle(Viewer& viewer, double& now)
 {
   for (int turn = 0; turn < 20; ++turn)
@@ -80,7 +80,7 @@ inline bool Settle(Viewer& viewer, double& now)
   return false;
 }
 
-/// Mean code, 0 to 255, of a box of pixels.
+/// The mean code, 0 to 255, in a rectangle of pixels.
 inline double Brightness(vtkRenderWindow* window, int x0, int y0, int x1, int y1)
 {
   vtkNew<vtkUnsignedCharArray> pixels;
@@ -99,7 +99,7 @@ inline double Brightness(vtkRenderWindow* window)
   return Brightness(window, 0, 0, size[0] - 1, size[1] - 1);
 }
 
-/// A viewer in a window without a window system.
+/// A viewer in a window that needs no window system.
 class ViewerTest : public ::testing::Test
 {
 protected:
