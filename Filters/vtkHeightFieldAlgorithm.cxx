@@ -2,7 +2,8 @@
 #include "vtkHeightFieldAlgorithm.h"
 
 #include "Data/vtkSkylineWarning.h"
-#include "HorizonScene.h"
+#include "HorizonDriver.h"
+#include "PyramidCache.h"
 #include "Shared/Constants.h"
 #include "WholeField.h"
 #include "vtkDataArray.h"
@@ -25,7 +26,7 @@ constexpr double LeastRefraction = -100.0;
 
 vtkHeightFieldAlgorithm::vtkHeightFieldAlgorithm()
   : RefractionCoefficient(skyline::TerrestrialRefraction)
-  , Kept(std::make_unique<skyline::KeptPyramid>())
+  , Pyramids(std::make_unique<skyline::PyramidCache>())
 {
 }
 
@@ -85,21 +86,20 @@ int vtkHeightFieldAlgorithm::RequestData(
       throw std::invalid_argument("the refraction coefficient is " +
         std::to_string(this->RefractionCoefficient) + "; give -100 to below 1, 0.13 in usual air");
     }
-    skyline::HorizonScene::Options options;
-    options.Settings.Method = static_cast<skyline::HorizonMethodKind>(this->Method);
-    options.Settings.Shape = static_cast<skyline::Surface>(this->Surface);
-    options.Settings.Tolerance = this->Tolerance * skyline::RadiansPerDegree;
-    options.Settings.Pyramid = { this->LevelStep, this->LevelOffset, this->LevelDistance,
+    skyline::HorizonInput surface(input, heights);
+    skyline::HorizonSettings settings;
+    settings.Method = static_cast<skyline::HorizonMethodKind>(this->Method);
+    settings.Shape = static_cast<skyline::Surface>(this->Surface);
+    settings.Sink = this->Flat ? 0.0 : surface.Sink(this->RefractionCoefficient);
+    settings.Tolerance = this->Tolerance * skyline::RadiansPerDegree;
+    settings.Pyramid = { this->LevelStep, this->LevelOffset, this->LevelDistance,
       this->LevelSpline };
-    options.Flat = this->Flat;
-    options.Refraction = this->RefractionCoefficient;
     if (this->Method != PYRAMID)
     {
-      this->Kept->Pyramid = nullptr;
+      this->Pyramids->Clear();
     }
-    options.Kept = this->Kept.get();
-    skyline::HorizonScene scene(input, heights, options);
-    scene.Progress = [this](double part)
+    skyline::HorizonDriver driver(surface, settings, this->Pyramids.get());
+    driver.Progress = [this](double part)
     {
       this->UpdateProgress(part);
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -109,14 +109,14 @@ int vtkHeightFieldAlgorithm::RequestData(
 #endif
     };
     output->ShallowCopy(input);
-    const bool finished = this->Compute(scene, output);
-    for (const skyline::Doubt& doubt : scene.Doubts)
+    const bool finished = this->Compute(driver, output);
+    for (const skyline::Doubt& doubt : driver.Doubts())
     {
       skyline::Warn(this, doubt);
     }
-    this->PrepareSeconds = scene.PrepareSeconds;
-    this->SearchSeconds = scene.SearchSeconds;
-    this->PyramidBuilds = scene.PyramidBuilds;
+    this->PrepareSeconds = driver.PrepareSeconds;
+    this->SearchSeconds = driver.SearchSeconds;
+    this->PyramidBuilds = driver.PyramidBuilds;
     if (!finished)
     {
       output->Initialize();

@@ -17,13 +17,13 @@
 #include "SkylineFiltersModule.h"
 #include "vtkImageAlgorithm.h"
 
-#include <memory> // For Kept
+#include <memory> // For Pyramids
 #include <string>
 
 namespace skyline
 {
-class HorizonScene;
-struct KeptPyramid;
+class HorizonDriver;
+class PyramidCache;
 } // namespace skyline
 class vtkImageData;
 
@@ -122,7 +122,7 @@ protected:
 
   /// Adds the filter's arrays to `output`, which holds the input's data. Returns false if aborted;
   /// throws std::exception with a one-line reason.
-  virtual bool Compute(skyline::HorizonScene& scene, vtkImageData* output) = 0;
+  virtual bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) = 0;
 
   int Method = EXACT;
   int Surface = TRIANGLES;
@@ -141,7 +141,7 @@ private:
   vtkHeightFieldAlgorithm(const vtkHeightFieldAlgorithm&) = delete;
   void operator=(const vtkHeightFieldAlgorithm&) = delete;
 
-  std::unique_ptr<skyline::KeptPyramid> Kept;
+  std::unique_ptr<skyline::PyramidCache> Pyramids;
 };
 
 #endif

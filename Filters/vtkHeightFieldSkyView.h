@@ -70,7 +70,7 @@ public:
   ///@}
 
 protected:
-  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+  bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
   int NumberOfAzimuths = 72;
   bool SkyViewFactor = true;

@@ -73,7 +73,7 @@ public:
   vtkGetMacro(SearchedAzimuths, int);
 
 protected:
-  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+  bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
   double SunAzimuth = 315.0;
   double SunElevation = 45.0;

@@ -21,7 +21,7 @@ public:
   vtkTypeMacro(vtkHeightFieldTransfer, vtkHeightFieldVisibility);
 
 protected:
-  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+  bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 };
 
 #endif

@@ -75,13 +75,13 @@ public:
   ///@}
 
 protected:
-  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+  bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
 #ifndef __VTK_WRAP__
   /// What finds shadow heights of a light whose rays fall by `slope` metres a metre; a filter on another
   /// processor puts its own here.
   virtual std::unique_ptr<skyline::HorizonMethod> MakeMethod(
-    skyline::HorizonScene& scene, double slope);
+    skyline::HorizonDriver& driver, double slope);
 #endif
 
   double SunAzimuth = 315.0;
@@ -92,7 +92,7 @@ protected:
 
 private:
   // The shadow heights of a light of the elevation (radians); infinite unless it has risen.
-  bool AddShadow(skyline::HorizonScene& scene, vtkImageData* output, const char* name,
+  bool AddShadow(skyline::HorizonDriver& driver, vtkImageData* output, const char* name,
     double elevation, bool risen, bool belowTerrain);
 };
 

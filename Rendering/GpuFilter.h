@@ -35,11 +35,11 @@ public:
 
   /// False if the host has to compute; where that is an error, the filter reports it, once.
   /// task.Values (null: Values) is filled if readBack, or if one texture does not hold the field.
-  bool Run(
-    vtkObject* filter, HorizonScene& scene, GpuHarmonics::Task task, bool readBack, bool& finished);
+  bool Run(vtkObject* filter, HorizonDriver& driver, GpuHarmonics::Task task, bool readBack,
+    bool& finished);
 
   /// Likewise: horizons in degrees.
-  bool Store(vtkObject* filter, HorizonScene& scene, const std::vector<double>& azimuths,
+  bool Store(vtkObject* filter, HorizonDriver& driver, const std::vector<double>& azimuths,
     float* degrees, bool& finished);
 
   /// Takes an array off an output if nobody read its values back.
@@ -52,7 +52,7 @@ public:
   bool Ready();
 
 private:
-  bool Attempt(vtkObject* filter, HorizonScene& scene, const std::function<void()>& compute);
+  bool Attempt(vtkObject* filter, HorizonDriver& driver, const std::function<void()>& compute);
   void Tell(vtkObject* filter, const std::string& reason);
 
   std::unique_ptr<GpuHarmonics> Harmonics;

@@ -13,7 +13,7 @@
 namespace skyline
 {
 
-class HorizonScene;
+class HorizonDriver;
 
 /// Seconds of the passes; measured if Wanted, for that waits for each of them.
 struct GpuTimes
@@ -42,13 +42,13 @@ public:
   };
 
   /// Loads the scene's surface, and says whether one texture holds it. To be called before each Run.
-  bool FitsOneTile(HorizonScene& scene);
+  bool FitsOneTile(HorizonDriver& driver);
 
   /// False if stopped. Fails with std::runtime_error in one line.
-  bool Run(HorizonScene& scene, const Task& task);
+  bool Run(HorizonDriver& driver, const Task& task);
 
   /// Horizons in degrees of all posts, a component an azimuth (degrees): counterpart of StoreAccumulator.
-  bool Store(HorizonScene& scene, const std::vector<double>& azimuths, float* degrees);
+  bool Store(HorizonDriver& driver, const std::vector<double>& azimuths, float* degrees);
 
   /// After a run of one tile: coefficients 4 i .. 4 i + 3 of every post.
   const std::vector<GpuTexture>& Images() const { return this->Sums; }
@@ -65,12 +65,12 @@ public:
 private:
   class Lap;
   bool SumTile(
-    HorizonScene& scene, const Task& task, const GpuArea& tile, double begin, double end);
+    HorizonDriver& driver, const Task& task, const GpuArea& tile, double begin, double end);
   std::vector<GpuArea> Tiles(const Grid& grid) const;
-  void FindRows(HorizonScene& scene, const GpuArea& tile, const std::vector<double>& azimuths,
+  void FindRows(HorizonDriver& driver, const GpuArea& tile, const std::vector<double>& azimuths,
     vtkTextureObject* angles);
   void Prepare(const Task& task, const GpuArea& tile);
-  void ReadTile(HorizonScene& scene, const Task& task, const GpuArea& tile);
+  void ReadTile(HorizonDriver& driver, const Task& task, const GpuArea& tile);
 
   GpuDevice& Device;
   GpuLimits Limits;

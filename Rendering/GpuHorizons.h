@@ -40,7 +40,7 @@ public:
   virtual int TileSide() const = 0;
 
   /// Horizons (radians) of the posts of a tile, within its rows [area.Y, area.Y + area.Height): to the
-  /// same places of an image as large as the tile; tile.X, tile.Y: its first post. azimuths: degrees, one to
+  /// same places of an image as large as the tile; tile.X, tile.Y: its first post. azimuths: radians, one to
   /// four; those that are not there get any horizon. grid: with the spacing that holds in the rows.
   virtual void Find(const GpuArea& tile, const GpuArea& area, const Grid& grid,
     const std::vector<double>& azimuths, vtkTextureObject* horizons) = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Geo/GroundMetric.h"
 
-#include "Geo/Azimuth.h"
 #include "Shared/Constants.h"
 
 #include <algorithm>
@@ -129,7 +128,9 @@ GroundMetric::GroundMetric(const Georeference& place, const PostSpacing& image)
   }
   if (rows >= 2 && !place.RowSpacingX.empty())
   {
-    this->HasRows = this->TrueImage = true;
+    this->TrueImage = true;
+    this->SpacingX = place.RowSpacingX;
+    this->SpacingY = place.RowSpacingY;
     this->Across = 1;
     this->Along = place.Rows;
     for (std::size_t row = 0; row < rows; ++row)
@@ -260,11 +261,10 @@ double GroundMetric::GroundAzimuth(const PostMetric& metric, double imageAzimuth
   {
     return imageAzimuth;
   }
-  const double angle = std::remainder(imageAzimuth, 360.0) * RadiansPerDegree;
   const double stepX = this->TrueImage ? std::hypot(metric.X, metric.Shear) : this->ImageX;
   const double stepY = this->TrueImage ? metric.Y : this->ImageY;
-  const double columns = std::sin(angle) / stepX, rows = std::cos(angle) / stepY;
-  return AzimuthOf(metric.X * columns, metric.Shear * columns + metric.Y * rows);
+  const double columns = std::sin(imageAzimuth) / stepX, rows = std::cos(imageAzimuth) / stepY;
+  return std::atan2(metric.X * columns, metric.Shear * columns + metric.Y * rows);
 }
 
 void GroundMetric::Lengths(std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count,

@@ -17,21 +17,18 @@ constexpr int Bins = 256;
 /// How a post's own direction looks on the metric of the centre.
 struct OwnRay
 {
-  double Direction; ///< degrees, of the centre's ground
+  double Direction; ///< radians, of the centre's ground
   double Length;    ///< logarithm of its length per line over the centre's
-  double Widening;  ///< degrees on the post's ground for a degree of Direction
+  double Widening;  ///< of angles at the post, for one of Direction
 };
 
 OwnRay RayOf(const PostMetric& metric, const PostMetric& reference, double azimuth)
 {
-  const double angle = azimuth * RadiansPerDegree;
-  const double columns = std::sin(angle) / metric.X;
-  const double rows = (std::cos(angle) - metric.Shear * columns) / metric.Y;
+  const double columns = std::sin(azimuth) / metric.X;
+  const double rows = (std::cos(azimuth) - metric.Shear * columns) / metric.Y;
   const double length = LengthOf(reference, columns, rows); // on the post's own ground it is 1
   OwnRay ray;
-  ray.Direction =
-    std::atan2(reference.X * columns, reference.Shear * columns + reference.Y * rows) *
-    DegreesPerRadian;
+  ray.Direction = std::atan2(reference.X * columns, reference.Shear * columns + reference.Y * rows);
   ray.Length = -std::log(length);
   // A direction turns by the cell's area over the squared length.
   ray.Widening = metric.X * metric.Y / (reference.X * reference.Y) * length * length;
@@ -85,7 +82,7 @@ RayFan::RayFan(const GroundMetric& metric, double azimuth, bool onImage, bool cu
     [&](const PostMetric& node)
     {
       OwnRay ray = RayOf(node, this->Reference, ground(node));
-      ray.Direction = middle + std::remainder(ray.Direction - middle, 360.0);
+      ray.Direction = middle + std::remainder(ray.Direction - middle, 2.0 * Pi);
       rays.push_back(ray);
     });
   const auto byDirection = [](const OwnRay& a, const OwnRay& b)

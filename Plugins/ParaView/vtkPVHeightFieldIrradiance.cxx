@@ -106,7 +106,7 @@ void vtkPVHeightFieldIrradiance::RemoveAllLamps()
 }
 
 // Where the sun stands is also where the skies by formula are brightest.
-void vtkPVHeightFieldIrradiance::PlaceSun(const skyline::HorizonScene& scene)
+void vtkPVHeightFieldIrradiance::PlaceSun(const skyline::HorizonDriver& driver)
 {
   this->SunLight->SetSwitch(this->Sun != NO_SUN);
   this->SunLight->SetUseTime(this->Sun == SUN_BY_TIME);
@@ -118,7 +118,7 @@ void vtkPVHeightFieldIrradiance::PlaceSun(const skyline::HorizonScene& scene)
     }
     this->SunLight->SetTime(skyline::LaterTime(this->SunTime, this->HoursLater).c_str());
   }
-  const skyline::SkyDisc disc = skyline::DiscOf(this->SunLight, scene);
+  const skyline::SkyDisc disc = skyline::DiscOf(this->SunLight, driver);
   this->SkyLight->SetSunAzimuth(disc.Azimuth * skyline::DegreesPerRadian);
   this->SkyLight->SetSunElevation(disc.Elevation * skyline::DegreesPerRadian);
 }
@@ -150,9 +150,9 @@ void vtkPVHeightFieldIrradiance::ReadEnvironment()
   this->ReadFile = this->EnvironmentFile;
 }
 
-bool vtkPVHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+bool vtkPVHeightFieldIrradiance::Compute(skyline::HorizonDriver& driver, vtkImageData* output)
 {
-  this->PlaceSun(scene);
+  this->PlaceSun(driver);
   this->SkyLight->SetSwitch(this->Sky != NO_SKY);
   this->SkyLight->SetRotation(this->Sky == FILE_SKY ? this->Rotation : 0.0);
   if (this->Sky == FILE_SKY)
@@ -173,7 +173,7 @@ bool vtkPVHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageD
     default:
       this->SkyLight->SetSourceToUniform();
   }
-  return this->Superclass::Compute(scene, output);
+  return this->Superclass::Compute(driver, output);
 }
 
 void vtkPVHeightFieldIrradiance::PrintSelf(ostream& os, vtkIndent indent)
