@@ -22,6 +22,20 @@ namespace
 // Near hot ground k was measured down to about -5. Far below -100 all terrain would sink away.
 constexpr double LeastRefraction = -100.0;
 
+void CheckHeights(vtkImageData* input, vtkDataArray* heights)
+{
+  if (heights == nullptr || heights->GetNumberOfTuples() != input->GetNumberOfPoints())
+  {
+    throw std::invalid_argument(
+      "the input has no heights: name its point array by SetInputArrayToProcess");
+  }
+  if (heights->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument("the heights have " +
+      std::to_string(heights->GetNumberOfComponents()) + " components; give one a post");
+  }
+}
+
 } // namespace
 
 vtkHeightFieldAlgorithm::vtkHeightFieldAlgorithm()
@@ -62,6 +76,23 @@ int vtkHeightFieldAlgorithm::RequestUpdateExtent(
   return 1;
 }
 
+skyline::HorizonSettings vtkHeightFieldAlgorithm::Settings(
+  const skyline::HorizonInput& surface) const
+{
+  if (!(this->RefractionCoefficient >= LeastRefraction && this->RefractionCoefficient < 1.0))
+  {
+    throw std::invalid_argument("the refraction coefficient is " +
+      std::to_string(this->RefractionCoefficient) + "; give -100 to below 1, 0.13 in usual air");
+  }
+  skyline::HorizonSettings settings;
+  settings.Method = static_cast<skyline::HorizonMethodKind>(this->Method);
+  settings.Shape = static_cast<skyline::Surface>(this->Surface);
+  settings.Sink = this->Flat ? 0.0 : surface.Sink(this->RefractionCoefficient);
+  settings.Tolerance = this->Tolerance * skyline::RadiansPerDegree;
+  settings.Pyramid = { this->LevelStep, this->LevelOffset, this->LevelDistance, this->LevelSpline };
+  return settings;
+}
+
 int vtkHeightFieldAlgorithm::RequestData(
   vtkInformation*, vtkInformationVector** in, vtkInformationVector* out)
 {
@@ -71,29 +102,9 @@ int vtkHeightFieldAlgorithm::RequestData(
   try
   {
     skyline::CheckWhole(in[0]->GetInformationObject(0));
-    if (heights == nullptr || heights->GetNumberOfTuples() != input->GetNumberOfPoints())
-    {
-      throw std::invalid_argument(
-        "the input has no heights: name its point array by SetInputArrayToProcess");
-    }
-    if (heights->GetNumberOfComponents() != 1)
-    {
-      throw std::invalid_argument("the heights have " +
-        std::to_string(heights->GetNumberOfComponents()) + " components; give one a post");
-    }
-    if (!(this->RefractionCoefficient >= LeastRefraction && this->RefractionCoefficient < 1.0))
-    {
-      throw std::invalid_argument("the refraction coefficient is " +
-        std::to_string(this->RefractionCoefficient) + "; give -100 to below 1, 0.13 in usual air");
-    }
+    CheckHeights(input, heights);
     skyline::HorizonInput surface(input, heights);
-    skyline::HorizonSettings settings;
-    settings.Method = static_cast<skyline::HorizonMethodKind>(this->Method);
-    settings.Shape = static_cast<skyline::Surface>(this->Surface);
-    settings.Sink = this->Flat ? 0.0 : surface.Sink(this->RefractionCoefficient);
-    settings.Tolerance = this->Tolerance * skyline::RadiansPerDegree;
-    settings.Pyramid = { this->LevelStep, this->LevelOffset, this->LevelDistance,
-      this->LevelSpline };
+    const skyline::HorizonSettings settings = this->Settings(surface);
     if (this->Method != PYRAMID)
     {
       this->Pyramids->Clear();

@@ -23,7 +23,9 @@
 namespace skyline
 {
 class HorizonDriver;
+class HorizonInput;
 class PyramidCache;
+struct HorizonSettings;
 } // namespace skyline
 class vtkImageData;
 
@@ -140,6 +142,8 @@ protected:
 private:
   vtkHeightFieldAlgorithm(const vtkHeightFieldAlgorithm&) = delete;
   void operator=(const vtkHeightFieldAlgorithm&) = delete;
+
+  skyline::HorizonSettings Settings(const skyline::HorizonInput& surface) const;
 
   std::unique_ptr<skyline::PyramidCache> Pyramids;
 };

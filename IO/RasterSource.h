@@ -88,6 +88,7 @@ private:
   void ReadValues();
   template <typename T>
   void ReadAs(const PostWindow& window, T* heights, const ProgressFunction& progress);
+  void ReadStrip(int column, int row, int columns, int rows, void* heights, unsigned char* mask);
   template <typename T, typename Missing>
   bool Convert(T* heights, const unsigned char* mask, std::size_t count, Missing& missing,
     HeightCensus& census);

@@ -115,6 +115,11 @@ RayFrame::RayFrame(const HeightField& field, const Grid& grid, double azimuth, d
   const double sinkPerLine2 = sink * this->StepLength * this->StepLength;
   this->SinkPerLine2 = static_cast<float>(sinkPerLine2);
 
+  this->FillSteps(sinkPerLine2);
+}
+
+void RayFrame::FillSteps(double sinkPerLine2)
+{
   this->Steps.resize(static_cast<std::size_t>(this->Lines));
   this->Sides.resize(this->Steps.size());
   this->Places.resize(this->Steps.size());

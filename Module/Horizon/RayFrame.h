@@ -95,6 +95,9 @@ public:
   {
     return this->Reversed ? this->Lines - 1 - line : line;
   }
+
+private:
+  void FillSteps(double sinkPerLine2);
 };
 
 } // namespace skyline
