@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PostArrays.h"
 
+#include "Data/MemoryDemand.h"
 #include "HeightField/HeightField.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -49,7 +50,7 @@ vtkFloatArray* AddPostArray(vtkImageData* output, const char* name, int componen
   {
     throw std::runtime_error(std::string("no memory for ") + name + ": " +
       std::to_string(output->GetNumberOfPoints()) + " posts of " + std::to_string(components) +
-      " floats; ask for less at a time, or give a coarser or smaller raster");
+      " floats; " + MemoryCure);
   }
   output->GetPointData()->AddArray(array);
   return array;

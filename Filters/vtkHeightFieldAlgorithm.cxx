@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldAlgorithm.h"
 
+#include "Data/MemoryDemand.h"
 #include "Data/vtkSkylineWarning.h"
 #include "HorizonDriver.h"
 #include "PyramidCache.h"
@@ -140,8 +141,7 @@ int vtkHeightFieldAlgorithm::RequestData(
     const int* posts = input->GetDimensions();
     output->Initialize();
     vtkErrorMacro(<< "not enough memory for " << posts[0] << " x " << posts[1]
-                  << " posts (std::bad_alloc); ask for less at a time, cut the raster "
-                     "(gdal_translate -srcwin) or make it coarser (-tr)");
+                  << " posts (std::bad_alloc); " << skyline::MemoryCure);
     return 0;
   }
   catch (const std::exception& reason)

@@ -4,6 +4,7 @@
 #define skyline_RasterSource_h
 
 #include "CoordinateSystem.h"
+#include "GdalDataset.h"
 #include "GdalErrors.h"
 #include "Geo/Georeference.h"
 #include "HeightField/HeightCensus.h"
@@ -72,11 +73,6 @@ public:
   void Read(const PostWindow& window, void* heights, const ProgressFunction& progress);
 
 private:
-  struct Closer
-  {
-    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-  };
-
   [[noreturn]] void Refuse(const std::string& reason) const;
   void Open(int band);
   void FailToOpen();
@@ -104,7 +100,7 @@ private:
   SourceGuard Guard;  // before the dataset, which opens its sources when they are read
   std::vector<double> FurtherNodata;
   std::vector<Doubt> Doubts;
-  std::unique_ptr<GDALDataset, Closer> Dataset;
+  GdalDataset Dataset;
   GDALRasterBand* Band = nullptr;
   int Columns = 0, Rows = 0;
   int VtkType = 0;

@@ -83,6 +83,9 @@ private:
 /// Where the file system knows no locks, none goes.
 void SweepTemporaries(const std::string& folder) noexcept;
 
+/// TMPDIR, or /tmp without it.
+std::string TemporaryFolder();
+
 /// Removes every temporary of this process, with what GDAL puts beside it. Safe in a signal handler;
 /// the program must end after it, for the writers know nothing of it.
 SKYLINEIO_EXPORT void RemoveTemporaries() noexcept;

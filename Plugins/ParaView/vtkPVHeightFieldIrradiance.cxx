@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVHeightFieldIrradiance.h"
 
+#include "Data/ErrorReason.h"
 #include "LaterTime.h"
 #include "LightPasses.h"
 #include "Shared/Constants.h"
@@ -17,20 +18,6 @@
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkPVHeightFieldIrradiance);
-
-namespace
-{
-
-// What vtkErrorMacro wrote after the place in the source and the object's address.
-std::string ReasonOf(std::string report)
-{
-  const std::size_t place = report.find("): ");
-  report.erase(0, place == std::string::npos ? 0 : place + 3);
-  report.erase(report.find_last_not_of(" \n") + 1);
-  return report;
-}
-
-} // namespace
 
 vtkPVHeightFieldIrradiance::vtkPVHeightFieldIrradiance()
 {
@@ -144,7 +131,7 @@ void vtkPVHeightFieldIrradiance::ReadEnvironment()
   reader->Update();
   if (reader->GetErrorCode() != 0)
   {
-    throw std::invalid_argument(ReasonOf(report));
+    throw std::invalid_argument(skyline::ErrorReason(report));
   }
   this->SkyLight->SetImage(reader->GetOutput());
   this->ReadFile = this->EnvironmentFile;
