@@ -4,6 +4,7 @@
 #include "GroundCases.h"
 
 #include "Data/vtkSkylineGeoreference.h"
+#include "Geo/RayFan.h"
 #include "HorizonDriver.h"
 #include "Shared/Constants.h"
 #include "vtkHeightFieldReader.h"
