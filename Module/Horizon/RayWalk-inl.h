@@ -183,90 +183,6 @@ HWY_INLINE Block Mix(const Block& a, const Block& b, double part)
   return Each([&](Vector x, Vector y) { return hn::MulAdd(p, hn::Sub(y, x), x); }, a, b);
 }
 
-/// Heights, less the receivers', of the two posts of a line on either side of the rays.
-struct LinePosts
-{
-  Block Trail, Lead;
-};
-
-/// Raises `best` by the slopes in step d, cell by cell: an edge between two cells is met from both, so it
-/// counts if either is complete. before, post: the trail posts of the first receiver's ray.
-template <Walk Kind>
-HWY_INLINE Block CellsOfStep(const RayFrame& frame, std::ptrdiff_t d,
-  const float* HWY_RESTRICT before, const float* HWY_RESTRICT post, const Block& heights,
-  const LinePosts& from, const LinePosts& to, Block best)
-{
-  const std::ptrdiff_t drift = frame.Drift;
-  const RayStep& step = frame.Steps.data()[d];
-  const StepPlace* HWY_RESTRICT places = frame.Places.data();
-  const RayStep& entry = frame.Steps.data()[d - 1];
-  const bool mixed = Kind == Walk::Bilinear;
-  if (step.Next == 0)
-  {
-    const auto complete = Complete(from.Trail, from.Lead, to.Trail, to.Lead);
-    if (d > 1)
-    {
-      best =
-        EdgeOf(complete, best, entry.RowTrail, from.Trail, entry.RowLead, from.Lead, entry.RowSink);
-    }
-    best = EdgeOf(complete, best, step.RowTrail, to.Trail, step.RowLead, to.Lead, step.RowSink);
-    if (mixed)
-    {
-      const Block twist = Sub(Sub(to.Lead, to.Trail), Sub(from.Lead, from.Trail));
-      best = InsidePatch(complete, best, frame, Mix(from.Trail, from.Lead, places[d - 1].Part),
-        static_cast<double>(d) - 1.0, Mix(to.Trail, to.Lead, places[d].Part),
-        static_cast<double>(d), twist);
-    }
-    else
-    {
-      best = EdgeOf(complete, best, step.MidNear, frame.Against ? from.Lead : from.Trail,
-        step.MidFar, frame.Against ? to.Trail : to.Lead, step.MidSink);
-    }
-  }
-  else
-  {
-    const SideStep& side = frame.Sides.data()[d];
-    const Block left = Sub(Load(post - drift), heights);
-    const Block right = Sub(Load(before + 2 * drift), heights);
-    const auto leftComplete = Complete(from.Trail, from.Lead, left, to.Trail);
-    const auto rightComplete = Complete(from.Lead, right, to.Trail, to.Lead);
-    if (d > 1)
-    {
-      best = EdgeOf(
-        leftComplete, best, entry.RowTrail, from.Trail, entry.RowLead, from.Lead, entry.RowSink);
-    }
-    best = EdgeOf({ hn::Or(leftComplete.First, rightComplete.First),
-                    hn::Or(leftComplete.Second, rightComplete.Second) },
-      best, step.MidNear, from.Lead, step.MidFar, to.Trail, step.MidSink);
-    best =
-      EdgeOf(rightComplete, best, step.RowTrail, to.Trail, step.RowLead, to.Lead, step.RowSink);
-    if (mixed)
-    {
-      const Block middle =
-        Mix(from.Lead, to.Trail, places[d].MidLine - (static_cast<double>(d) - 1.0));
-      best = InsidePatch(leftComplete, best, frame, Mix(from.Trail, from.Lead, places[d - 1].Part),
-        static_cast<double>(d) - 1.0, middle, places[d].MidLine,
-        Sub(Sub(to.Trail, left), Sub(from.Lead, from.Trail)));
-      best = InsidePatch(rightComplete, best, frame, middle, places[d].MidLine,
-        Mix(to.Trail, to.Lead, places[d].Part), static_cast<double>(d),
-        Sub(Sub(to.Lead, to.Trail), Sub(right, from.Lead)));
-    }
-    else if (frame.Against)
-    {
-      best =
-        EdgeOf(leftComplete, best, side.LeftNear, from.Lead, side.LeftFar, left, side.LeftSink);
-      best =
-        EdgeOf(rightComplete, best, side.RightNear, right, side.RightFar, to.Trail, side.RightSink);
-    }
-  }
-  if (places[d].Part == 0.0)
-  {
-    // A post that occludes has a complete cell beside it.
-    best = Max(best, Edge(step.RowTrail, to.Trail, 0.0f, to.Trail, step.RowSink));
-  }
-  return best;
-}
-
 /// Raises `best` (metres per line) to the greatest slope that the rays meet in steps first .. last.
 /// origin: post of the first receiver; heights: the receivers' own.
 template <Walk Kind, Body Shape>
@@ -276,6 +192,7 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
   const std::ptrdiff_t drift = frame.Drift;
   const RayStep* HWY_RESTRICT steps = frame.Steps.data();
   const SideStep* HWY_RESTRICT sides = frame.Sides.data();
+  const StepPlace* HWY_RESTRICT places = frame.Places.data();
   const float* before = origin + (first - 1) * frame.LineStride + steps[first - 1].Lane;
   Block trailBefore = Sub(Load(before), heights);
   Block leadBefore = Sub(Load(before + drift), heights);
@@ -324,8 +241,71 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
     }
     else
     {
-      best = CellsOfStep<Kind>(
-        frame, d, before, post, heights, { trailBefore, leadBefore }, { trail, lead }, best);
+      // Cell by cell: an edge between two cells is met from both, so it counts if either is complete.
+      const RayStep& entry = steps[d - 1];
+      const bool mixed = Kind == Walk::Bilinear;
+      if (step.Next == 0)
+      {
+        const auto complete = Complete(trailBefore, leadBefore, trail, lead);
+        if (d > 1)
+        {
+          best = EdgeOf(
+            complete, best, entry.RowTrail, trailBefore, entry.RowLead, leadBefore, entry.RowSink);
+        }
+        best = EdgeOf(complete, best, step.RowTrail, trail, step.RowLead, lead, step.RowSink);
+        if (mixed)
+        {
+          const Block twist = Sub(Sub(lead, trail), Sub(leadBefore, trailBefore));
+          best = InsidePatch(complete, best, frame,
+            Mix(trailBefore, leadBefore, places[d - 1].Part), static_cast<double>(d) - 1.0,
+            Mix(trail, lead, places[d].Part), static_cast<double>(d), twist);
+        }
+        else
+        {
+          best = EdgeOf(complete, best, step.MidNear, frame.Against ? leadBefore : trailBefore,
+            step.MidFar, frame.Against ? trail : lead, step.MidSink);
+        }
+      }
+      else
+      {
+        const SideStep& side = sides[d];
+        const Block left = Sub(Load(post - drift), heights);
+        const Block right = Sub(Load(before + 2 * drift), heights);
+        const auto leftComplete = Complete(trailBefore, leadBefore, left, trail);
+        const auto rightComplete = Complete(leadBefore, right, trail, lead);
+        if (d > 1)
+        {
+          best = EdgeOf(leftComplete, best, entry.RowTrail, trailBefore, entry.RowLead, leadBefore,
+            entry.RowSink);
+        }
+        best = EdgeOf({ hn::Or(leftComplete.First, rightComplete.First),
+                        hn::Or(leftComplete.Second, rightComplete.Second) },
+          best, step.MidNear, leadBefore, step.MidFar, trail, step.MidSink);
+        best = EdgeOf(rightComplete, best, step.RowTrail, trail, step.RowLead, lead, step.RowSink);
+        if (mixed)
+        {
+          const Block middle =
+            Mix(leadBefore, trail, places[d].MidLine - (static_cast<double>(d) - 1.0));
+          best = InsidePatch(leftComplete, best, frame,
+            Mix(trailBefore, leadBefore, places[d - 1].Part), static_cast<double>(d) - 1.0, middle,
+            places[d].MidLine, Sub(Sub(trail, left), Sub(leadBefore, trailBefore)));
+          best = InsidePatch(rightComplete, best, frame, middle, places[d].MidLine,
+            Mix(trail, lead, places[d].Part), static_cast<double>(d),
+            Sub(Sub(lead, trail), Sub(right, leadBefore)));
+        }
+        else if (frame.Against)
+        {
+          best = EdgeOf(
+            leftComplete, best, side.LeftNear, leadBefore, side.LeftFar, left, side.LeftSink);
+          best = EdgeOf(
+            rightComplete, best, side.RightNear, right, side.RightFar, trail, side.RightSink);
+        }
+      }
+      if (places[d].Part == 0.0)
+      {
+        // A post that occludes has a complete cell beside it.
+        best = Max(best, Edge(step.RowTrail, trail, 0.0f, trail, step.RowSink));
+      }
     }
     before = post;
     trailBefore = trail;
