@@ -266,6 +266,91 @@ const char* const Style = "svg text{font:11px system-ui,sans-serif;fill:currentC
                           "stroke-dasharray:4 3}"
                           ".leader{stroke:currentColor;stroke-opacity:.35;fill:none}";
 
+// The opening tag, the title and the ground of the picture.
+std::string DrawHead(const std::string& about, const ChartStyle& style, double begin)
+{
+  std::string svg = Text("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" "
+                         "width=\"%.0f\" height=\"%.0f\" role=\"img\" color=\"%s\">",
+    style.Width, style.Height, style.Width, style.Height, style.Alone ? "#222" : "currentColor");
+  svg += "<title>" + Escaped(about) + "</title>";
+  if (style.Alone)
+  {
+    svg += std::string("<style>") + Style +
+      "</style><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>";
+  }
+  if (!style.Title.empty())
+  {
+    svg += Text(
+      "<text x=\"%.0f\" y=\"18\" class=\"title\">%s</text>", begin, Escaped(style.Title).c_str());
+  }
+  return svg;
+}
+
+// Where findings stand in the picture.
+struct ChartPlaces
+{
+  Axis X, Y;
+  double Edge; // errors below are drawn here
+
+  std::pair<double, double> operator()(const Finding& finding) const
+  {
+    return { this->X(TimeOf(finding)), this->Y(std::max(ErrorOf(finding), this->Edge)) };
+  }
+};
+
+// The line of the findings that no other one beats.
+std::string DrawFront(const std::vector<const Finding*>& findings, const ChartPlaces& at)
+{
+  std::string line;
+  double before = at.Y.End;
+  for (const Finding* finding : Front(findings))
+  {
+    const auto [px, py] = at(*finding);
+    line += line.empty() ? Text("M%.1f %.1fV%.1f", px, before, py) : Text("H%.1fV%.1f", px, py);
+    before = py;
+  }
+  return "<path class=\"front\" d=\"" + line + Text("H%.1f", at.X.End) + "\"/>";
+}
+
+// Labels of the findings, and over them their symbols.
+std::string DrawFindings(
+  const std::vector<const Finding*>& findings, const ChartPlaces& at, double top)
+{
+  Labels labels({ at.X.Begin + 1.0, top, at.X.End + 24.0, at.Y.Begin });
+  for (const Finding* finding : findings)
+  {
+    const auto [px, py] = at(*finding);
+    labels.Avoid(px, py);
+  }
+  std::string texts, symbols;
+  for (const Finding* finding : findings)
+  {
+    const auto [px, py] = at(*finding);
+    const std::string text =
+      finding->What.Label + (ErrorOf(*finding) < NoError ? " (no error)" : "");
+    const Box box = labels.Place(px, py, text);
+    const double cx = std::clamp(px, box.Left, box.Right), cy = std::clamp(py, box.Top, box.Bottom);
+    if (std::hypot(cx - px, cy - py) > 12.0)
+    {
+      texts += Text("<path class=\"leader\" d=\"M%.1f %.1fL%.1f %.1f\"/>", px, py, cx, cy);
+    }
+    // Anchored at the side of the point: fonts differ in width.
+    const bool right = box.Left >= px, left = box.Right <= px;
+    const double from = right ? box.Left + 1.0
+      : left                  ? box.Right - 1.0
+                              : 0.5 * (box.Left + box.Right);
+    texts += Text("<text class=\"label\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", from,
+               box.Bottom - 2.5,
+               right    ? "start"
+                 : left ? "end"
+                        : "middle") +
+      Escaped(text) + "</text>";
+    symbols += "<g><title>" + Escaped(TipOf(*finding)) + "</title>" +
+      Symbol(MarkOf(finding->What.Kind), px, py) + "</g>";
+  }
+  return texts + symbols;
+}
+
 } // namespace
 
 const char* ChartCss()
@@ -334,69 +419,13 @@ std::string DrawChart(const std::vector<const Finding*>& findings, const ChartSt
   Range(times, x.First, x.Last);
   Range(errors, y.First, y.Last);
 
-  std::string svg = Text("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" "
-                         "width=\"%.0f\" height=\"%.0f\" role=\"img\" color=\"%s\">",
-    style.Width, style.Height, style.Width, style.Height, style.Alone ? "#222" : "currentColor");
-  svg += "<title>" + Escaped(quantity.Title + ", " + findings.front()->What.Scene) + "</title>";
-  if (style.Alone)
-  {
-    svg += std::string("<style>") + Style +
-      "</style><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>";
-  }
-  if (!style.Title.empty())
-  {
-    svg += Text(
-      "<text x=\"%.0f\" y=\"18\" class=\"title\">%s</text>", x.Begin, Escaped(style.Title).c_str());
-  }
+  std::string svg = DrawHead(quantity.Title + ", " + findings.front()->What.Scene, style, x.Begin);
   const bool isZero = std::any_of(findings.begin(), findings.end(),
     [](const Finding* finding) { return ErrorOf(*finding) < NoError; });
   svg += DrawAxes(x, y, quantity, isZero ? edge : 0.0);
 
-  const auto at = [&](const Finding& finding)
-  { return std::pair(x(TimeOf(finding)), y(std::max(ErrorOf(finding), edge))); };
-  std::string line;
-  double before = y.End;
-  for (const Finding* finding : Front(findings))
-  {
-    const auto [px, py] = at(*finding);
-    line += line.empty() ? Text("M%.1f %.1fV%.1f", px, before, py) : Text("H%.1fV%.1f", px, py);
-    before = py;
-  }
-  svg += "<path class=\"front\" d=\"" + line + Text("H%.1f", x.End) + "\"/>";
-
-  Labels labels({ x.Begin + 1.0, top, x.End + 24.0, y.Begin });
-  for (const Finding* finding : findings)
-  {
-    const auto [px, py] = at(*finding);
-    labels.Avoid(px, py);
-  }
-  std::string symbols;
-  for (const Finding* finding : findings)
-  {
-    const auto [px, py] = at(*finding);
-    const std::string text =
-      finding->What.Label + (ErrorOf(*finding) < NoError ? " (no error)" : "");
-    const Box box = labels.Place(px, py, text);
-    const double cx = std::clamp(px, box.Left, box.Right), cy = std::clamp(py, box.Top, box.Bottom);
-    if (std::hypot(cx - px, cy - py) > 12.0)
-    {
-      svg += Text("<path class=\"leader\" d=\"M%.1f %.1fL%.1f %.1f\"/>", px, py, cx, cy);
-    }
-    // The text is anchored at the side of its point, because the widths of fonts differ.
-    const bool right = box.Left >= px, left = box.Right <= px;
-    const double from = right ? box.Left + 1.0
-      : left                  ? box.Right - 1.0
-                              : 0.5 * (box.Left + box.Right);
-    svg += Text("<text class=\"label\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", from,
-             box.Bottom - 2.5,
-             right    ? "start"
-               : left ? "end"
-                      : "middle") +
-      Escaped(text) + "</text>";
-    symbols += "<g><title>" + Escaped(TipOf(*finding)) + "</title>" +
-      Symbol(MarkOf(finding->What.Kind), px, py) + "</g>";
-  }
-  return svg + symbols + "</svg>";
+  const ChartPlaces at{ x, y, edge };
+  return svg + DrawFront(findings, at) + DrawFindings(findings, at, top) + "</svg>";
 }
 
 } // namespace benchmark

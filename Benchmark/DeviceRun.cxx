@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DeviceRun.h"
 
+#include "Data/ErrorReason.h"
 #include "SceneImage.h"
 
 #include "vtkAlgorithm.h"
@@ -56,8 +57,7 @@ Result TimeUpdates(
     laps.Search([&] { filter->Update(); });
     if (!reason.empty())
     {
-      const std::size_t object = reason.find("): "); // after VTK's prefix
-      throw std::runtime_error(object == std::string::npos ? reason : reason.substr(object + 3));
+      throw std::runtime_error(ErrorReason(reason));
     }
   }
   Result result;

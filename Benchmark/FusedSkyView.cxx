@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FusedSkyView.h"
 
-#include "HorizonScene.h"
+#include "HorizonDriver.h"
 #include "Measure.h"
 #include "SceneImage.h"
 #include "Sky/SkyAccumulator.h"
@@ -54,8 +54,11 @@ Result MeasureFusedSkyView(const Scene& scene, const Truth& truth, int repeats)
   const vtkSmartPointer<vtkImageData> image = ImageOf(scene.Field);
   vtkDataArray* heights = image->GetPointData()->GetScalars();
   const auto posts = static_cast<std::size_t>(image->GetNumberOfPoints());
-  HorizonScene::Options options;
-  options.Flat = true;
+  std::vector<double> azimuths = truth.Azimuths;
+  for (double& azimuth : azimuths)
+  {
+    azimuth *= RadiansPerDegree;
+  }
   const double width = 2.0 * Pi / static_cast<double>(truth.Azimuths.size());
 
   Laps laps;
@@ -66,9 +69,10 @@ Result MeasureFusedSkyView(const Scene& scene, const Truth& truth, int repeats)
     const Seconds start = Now();
     sky.reset(); // the results of the previous repeat must not count
     sky.reset(new float[4 * posts]);
-    HorizonScene field(image, heights, options);
+    HorizonInput surface(image, heights);
+    HorizonDriver driver(surface, HorizonSettings());
     const std::unique_ptr<float[]> gradients(new float[2 * posts]);
-    field.FillGradients(gradients.get(), gradients.get() + posts);
+    surface.FillGradients(gradients.get(), gradients.get() + posts);
     SkyBuffers buffers;
     buffers.SkyViewFactor.Values = sky.get();
     buffers.SkyViewFactorHorizontal.Values = sky.get() + posts;
@@ -76,11 +80,11 @@ Result MeasureFusedSkyView(const Scene& scene, const Truth& truth, int repeats)
     buffers.PositiveOpenness.Values = sky.get() + 3 * posts;
     SkyAccumulator accumulator(
       scene.Field.Columns, buffers, gradients.get(), gradients.get() + posts);
-    field.Run(truth.Azimuths, width, accumulator);
+    driver.Run(azimuths, width, accumulator);
     const Seconds end = Now();
     // The driver measures the share of the preparation itself.
     const Seconds total{ end.Cpu - start.Cpu, end.Wall - start.Wall };
-    const double share = field.PrepareSeconds / total.Wall;
+    const double share = driver.PrepareSeconds / total.Wall;
     laps.Add({ share * total.Cpu, share * total.Wall },
       { (1.0 - share) * total.Cpu, (1.0 - share) * total.Wall });
   }

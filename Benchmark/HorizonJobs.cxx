@@ -61,45 +61,71 @@ Result MeasureDevice(Stage& stage, bool pyramid)
   return result;
 }
 
-} // namespace
-
-void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much)
+// Adds jobs on the horizons of a stage.
+class HorizonJobs
 {
-  const auto add = [&](const char* kind, const std::string& label, const std::string& settings,
-                     int turn, const std::function<Result()>& measure)
+public:
+  HorizonJobs(std::vector<Job>& jobs, const StagePointer& stage)
+    : Jobs(jobs)
+    , Stage(stage)
+  {
+  }
+
+  void Add(const char* kind, const std::string& label, const std::string& settings, int turn,
+    const std::function<Result()>& measure)
   {
     AddJob(
-      jobs, stage, "horizon", kind, label, settings, turn, [stage] { stage->Horizons(); }, measure);
-  };
-  const auto kernel = [&](const char* kind, const std::string& label, const std::string& settings,
-                        int turn, const HorizonSettings& how)
+      this->Jobs, this->Stage, "horizon", kind, label, settings, turn,
+      [stage = this->Stage] { stage->Horizons(); }, measure);
+  }
+
+  void AddKernel(const char* kind, const std::string& label, const std::string& settings, int turn,
+    const HorizonSettings& how)
   {
-    add(kind, label, settings, turn,
-      [stage, how]
+    this->Add(kind, label, settings, turn,
+      [stage = this->Stage, how]
       {
         return MeasureKernel(
           stage->Scene, stage->Horizons(),
           [&](const HeightField& field) { return MakeHorizonMethod(field, how); },
           stage->Work.Repeats, 1, stage->Work.Seconds);
       });
-  };
+  }
+
+  void AddMethods();
+  void AddPeers(bool much);
+  void AddTolerances();
+  void AddPyramids();
+
+private:
+  std::vector<Job>& Jobs;
+  StagePointer Stage;
+};
+
+void HorizonJobs::AddMethods()
+{
   HorizonSettings how;
   char segments[100]; // compiled constants, not settings: see Documentation/horizon.md
   std::snprintf(segments, sizeof segments, "%td near lines, segments of %td lines in groups of %td",
     std::ptrdiff_t{ ExactState::NearLines }, std::ptrdiff_t{ SegmentBounds::Lines },
     std::ptrdiff_t{ SegmentBounds::PerGroup });
   const std::string search = segments;
-  kernel("exact", "exact", "tolerance 0, " + search, MainTurn, how);
+  this->AddKernel("exact", "exact", "tolerance 0, " + search, MainTurn, how);
   how.Method = HorizonMethodKind::Fast;
-  kernel("fast", "fast", "tolerance 0.25 degrees, certified; " + search, MainTurn, how);
+  this->AddKernel("fast", "fast", "tolerance 0.25 degrees, certified; " + search, MainTurn, how);
   how.Method = HorizonMethodKind::Sweep;
-  kernel("sweep", "sweep", "as published, resampled to the posts", MainTurn, how);
+  this->AddKernel("sweep", "sweep", "as published, resampled to the posts", MainTurn, how);
   how.Method = HorizonMethodKind::Pyramid;
-  kernel("pyramid", "pyramid", "k = 4, o = 2, b-spline", MainTurn, how);
+  this->AddKernel("pyramid", "pyramid", "k = 4, o = 2, b-spline", MainTurn, how);
   how.Pyramid.Spline = false;
-  kernel("pyramid", "pyramid, max", "k = 4, o = 2, greatest level only", PeerTurn, how);
-  add("every", "every crossing", "plain loops, every eighth azimuth", much ? MainTurn : PeerTurn,
-    [stage]
+  this->AddKernel("pyramid", "pyramid, max", "k = 4, o = 2, greatest level only", PeerTurn, how);
+}
+
+void HorizonJobs::AddPeers(bool much)
+{
+  this->Add("every", "every crossing", "plain loops, every eighth azimuth",
+    much ? MainTurn : PeerTurn,
+    [stage = this->Stage]
     {
       return MeasureKernel(
         stage->Scene, stage->Horizons(),
@@ -111,33 +137,37 @@ void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much
   {
     char label[40];
     std::snprintf(label, sizeof label, "Embree %.2f°", accuracy);
-    add("embree", label, "occlusion rays, bracket from the previous azimuth",
+    this->Add("embree", label, "occlusion rays, bracket from the previous azimuth",
       accuracy > 0.1 && much ? MainTurn : PeerTurn,
-      [stage, accuracy]
+      [stage = this->Stage, accuracy]
       { return MeasureEmbree(stage->Scene, stage->Horizons(), accuracy, stage->Work.Repeats); });
   }
-  add("grass", "GRASS r.horizon", "-d, whole raster, with start and files", PeerTurn,
-    [stage] { return MeasureGrass(stage->Scene, stage->Horizons(), 1); });
-  how = HorizonSettings();
+  this->Add("grass", "GRASS r.horizon", "-d, whole raster, with start and files", PeerTurn,
+    [stage = this->Stage] { return MeasureGrass(stage->Scene, stage->Horizons(), 1); });
+}
+
+void HorizonJobs::AddTolerances()
+{
+  HorizonSettings how;
   for (const double tolerance : { 0.05, 1.0 })
   {
     how.Tolerance = tolerance * RadiansPerDegree;
     char label[40];
     std::snprintf(label, sizeof label, "exact, %.3g°", tolerance);
-    kernel("exact", label, "may fall short by the tolerance", SweepTurn, how);
+    this->AddKernel("exact", label, "may fall short by the tolerance", SweepTurn, how);
   }
-  if (!much)
-  {
-    return;
-  }
-  how = HorizonSettings();
+}
+
+void HorizonJobs::AddPyramids()
+{
+  HorizonSettings how;
   how.Method = HorizonMethodKind::Pyramid;
   for (const double step : { 2.0, 8.0 })
   {
     how.Pyramid.LevelStep = step;
     char label[40];
     std::snprintf(label, sizeof label, "pyramid k=%.0f", step);
-    kernel("pyramid", label, "o = 2, b-spline", SweepTurn, how);
+    this->AddKernel("pyramid", label, "o = 2, b-spline", SweepTurn, how);
   }
   how.Pyramid.LevelStep = 4.0;
   for (const double offset : { 0.0, 4.0 })
@@ -145,11 +175,26 @@ void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much
     how.Pyramid.LevelOffset = offset;
     char label[40];
     std::snprintf(label, sizeof label, "pyramid o=%.0f", offset);
-    kernel("pyramid", label, "k = 4, b-spline", SweepTurn, how);
+    this->AddKernel("pyramid", label, "k = 4, b-spline", SweepTurn, how);
   }
-  add("gpu", "GPU exact", "16 azimuths, wall time", DeviceTurn,
+}
+
+} // namespace
+
+void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much)
+{
+  HorizonJobs all(jobs, stage);
+  all.AddMethods();
+  all.AddPeers(much);
+  all.AddTolerances();
+  if (!much)
+  {
+    return;
+  }
+  all.AddPyramids();
+  all.Add("gpu", "GPU exact", "16 azimuths, wall time", DeviceTurn,
     [stage] { return MeasureDevice(*stage, false); });
-  add("gpu", "GPU pyramid", "16 azimuths, k = 4, o = 2, wall time", DeviceTurn,
+  all.Add("gpu", "GPU pyramid", "16 azimuths, k = 4, o = 2, wall time", DeviceTurn,
     [stage] { return MeasureDevice(*stage, true); });
 }
 

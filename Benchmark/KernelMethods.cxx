@@ -26,9 +26,10 @@ public:
   {
   }
 
+  /// azimuth: degrees.
   void Prepare(const Grid& grid, double azimuth)
   {
-    this->Method.SetAzimuth(grid, azimuth);
+    this->Method.SetAzimuth(grid, azimuth * RadiansPerDegree);
     this->Method.Prepare(0, this->Method.PrepareCount());
   }
 

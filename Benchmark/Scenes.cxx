@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes.h"
 
+#include "Data/ErrorReason.h"
 #include "Reference/Shapes.h"
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
@@ -82,10 +83,7 @@ Scene FromRaster(const std::string& name, const std::string& file)
   vtkDataArray* heights = image->GetPointData()->GetScalars();
   if (reader->GetErrorCode() != vtkErrorCode::NoError || heights == nullptr)
   {
-    // VTK puts the place in its source and the object before the reason.
-    const std::size_t object = reason.find("): ");
-    const std::size_t begin = object == std::string::npos ? 0 : object + 3;
-    throw std::runtime_error(reason.substr(begin, reason.find_last_not_of('\n') + 1 - begin));
+    throw std::runtime_error(ErrorReason(reason));
   }
   const int* size = image->GetDimensions();
   const double* spacing = image->GetSpacing();

@@ -3,6 +3,8 @@
 #ifndef skyline_Azimuths_h
 #define skyline_Azimuths_h
 
+#include "Shared/Constants.h"
+
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -13,7 +15,7 @@ namespace skyline
 
 constexpr int MaximumAzimuths = 3600; ///< a tenth of a degree: finer than any raster resolves
 
-/// 360 k / count degrees, k = 0 .. count - 1. std::invalid_argument unless 1 <= count <= 3600.
+/// 360 k / count degrees as radians, k = 0 .. count - 1. std::invalid_argument unless 1 <= count <= 3600.
 inline std::vector<double> EvenAzimuths(int count)
 {
   if (count < 1 || count > MaximumAzimuths)
@@ -24,7 +26,7 @@ inline std::vector<double> EvenAzimuths(int count)
   std::vector<double> azimuths(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k)
   {
-    azimuths[static_cast<std::size_t>(k)] = 360.0 * k / count;
+    azimuths[static_cast<std::size_t>(k)] = 360.0 * k / count * RadiansPerDegree;
   }
   return azimuths;
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HorizonCache.h"
 
-#include "HorizonScene.h"
-#include "Shared/Constants.h"
+#include "HorizonDriver.h"
 
 #include "vtkSMPTools.h"
 
@@ -54,12 +53,12 @@ void HorizonCache::SetSurface(const std::vector<double>& key)
 }
 
 bool HorizonCache::Run(
-  HorizonScene& scene, const std::vector<double>& azimuths, double width, Accumulator& consumer)
+  HorizonDriver& driver, const std::vector<double>& azimuths, double width, Accumulator& consumer)
 {
   if (!this->Keep)
   {
     this->Searched += static_cast<int>(azimuths.size());
-    return scene.Run(azimuths, width, consumer);
+    return driver.Run(azimuths, width, consumer);
   }
   std::vector<double> missing;
   for (const double azimuth : azimuths)
@@ -71,25 +70,25 @@ bool HorizonCache::Run(
   }
   std::sort(missing.begin(), missing.end());
   missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
-  scene.DemandFloats("kept horizons", static_cast<std::ptrdiff_t>(missing.size()), missing);
+  driver.DemandFloats("kept horizons", static_cast<std::ptrdiff_t>(missing.size()), missing);
   std::vector<std::vector<float>*> planes;
   planes.reserve(missing.size());
   for (const double azimuth : missing)
   {
     planes.push_back(&this->Slopes[azimuth]);
   }
-  SlopeStore store(scene.Posts(), planes);
-  if (!missing.empty() && !scene.Run(missing, width, store))
+  SlopeStore store(driver.Input().Posts(), planes);
+  if (!missing.empty() && !driver.Run(missing, width, store))
   {
     this->Slopes.clear(); // the last planes are half empty
     return false;
   }
   this->Searched += static_cast<int>(missing.size());
-  const Grid& grid = scene.Posts();
+  const Grid& grid = driver.Input().Posts();
   for (const double azimuth : azimuths)
   {
     const std::vector<float>& slopes = this->Slopes[azimuth];
-    consumer.Begin(azimuth * RadiansPerDegree, width);
+    consumer.Begin(azimuth, width);
     vtkSMPTools::For(0, grid.Rows,
       [&](vtkIdType begin, vtkIdType end)
       {

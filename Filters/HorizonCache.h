@@ -10,7 +10,7 @@ namespace skyline
 {
 
 class Accumulator;
-class HorizonScene;
+class HorizonDriver;
 
 /// Runs consumers over azimuths. If it keeps horizons, only azimuths that it has not met are searched;
 /// a kept azimuth costs a float a post.
@@ -25,13 +25,13 @@ public:
   /// Forgets all horizons unless they belong to the same surface: any numbers that name it.
   void SetSurface(const std::vector<double>& key);
 
-  /// As HorizonScene::Run.
-  bool Run(
-    HorizonScene& scene, const std::vector<double>& azimuths, double width, Accumulator& consumer);
+  /// As HorizonDriver::Run.
+  bool Run(HorizonDriver& driver, const std::vector<double>& azimuths, double width,
+    Accumulator& consumer);
 
 private:
   std::vector<double> Key;
-  std::map<double, std::vector<float>> Slopes; // by azimuth, degrees
+  std::map<double, std::vector<float>> Slopes; // by azimuth, radians
 };
 
 } // namespace skyline

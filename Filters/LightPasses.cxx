@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightPasses.h"
 
-#include "HorizonScene.h"
+#include "HorizonDriver.h"
 #include "Lamps/LampIrradiance.h"
 #include "Sun/Eclipse.h"
 #include "Sun/SunAccumulator.h"
@@ -128,24 +128,26 @@ SkyDisc DiscOf(vtkSkylineSunLight* light)
   return disc;
 }
 
-SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonScene& scene)
+SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonDriver& driver)
 {
   SkyDisc disc = DiscOf(light);
   if (light->GetUseTime())
   {
-    const SunField sun(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight());
-    const GridSun middle = sun.At(0.5 * static_cast<double>(scene.Posts().Columns - 1),
-      0.5 * static_cast<double>(scene.Posts().Rows - 1));
+    const SunField sun(
+      driver.Input().Place(), ParseUtcTime(light->GetTime()), driver.Input().BaseHeight());
+    const GridSun middle = sun.At(0.5 * static_cast<double>(driver.Input().Posts().Columns - 1),
+      0.5 * static_cast<double>(driver.Input().Posts().Rows - 1));
     disc.Azimuth = middle.Azimuth * RadiansPerDegree;
     disc.Elevation = middle.Elevation * RadiansPerDegree;
     disc.Radius = light->GetTrueRadius() ? middle.Radius * RadiansPerDegree : disc.Radius;
-    const EclipseField eclipse(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight());
+    const EclipseField eclipse(
+      driver.Input().Place(), ParseUtcTime(light->GetTime()), driver.Input().BaseHeight());
     if (eclipse.Any())
     {
       const double covered =
         eclipse
-          .At(0.5 * static_cast<double>(scene.Posts().Columns - 1),
-            0.5 * static_cast<double>(scene.Posts().Rows - 1))
+          .At(0.5 * static_cast<double>(driver.Input().Posts().Columns - 1),
+            0.5 * static_cast<double>(driver.Input().Posts().Rows - 1))
           .Obscuration(light->GetLimbDarkening() ? EddingtonLimbDarkening : 0.0);
       for (double& channel : disc.Irradiance)
       {
@@ -154,17 +156,17 @@ SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonScene& scene)
     }
     return disc;
   }
-  return InMiddle(disc, scene);
+  return InMiddle(disc, driver);
 }
 
-SkyDisc InMiddle(SkyDisc disc, const HorizonScene& scene)
+SkyDisc InMiddle(SkyDisc disc, const HorizonDriver& driver)
 {
-  const SunField field = SunField::OnImage(scene.Place(), disc.Azimuth * DegreesPerRadian,
+  const SunField field = SunField::OnImage(driver.Input().Place(), disc.Azimuth * DegreesPerRadian,
     disc.Elevation * DegreesPerRadian, disc.Radius * DegreesPerRadian);
   if (!field.Same())
   {
-    const GridSun middle = field.At(0.5 * static_cast<double>(scene.Posts().Columns - 1),
-      0.5 * static_cast<double>(scene.Posts().Rows - 1));
+    const GridSun middle = field.At(0.5 * static_cast<double>(driver.Input().Posts().Columns - 1),
+      0.5 * static_cast<double>(driver.Input().Posts().Rows - 1));
     disc.Azimuth = middle.Azimuth * RadiansPerDegree;
   }
   return disc;
@@ -238,29 +240,25 @@ std::vector<float> DrawDisc(const SkyDisc& disc, int& columns, int& rows)
   return pixels;
 }
 
-bool AddDisc(HorizonScene& scene, HorizonCache& cache, const SkyDisc& disc, const LitPosts& posts)
+bool AddDisc(HorizonDriver& driver, HorizonCache& cache, const SkyDisc& disc, const LitPosts& posts)
 {
   if (disc.Elevation + disc.Radius <= 0.0)
   {
     return true; // set: no light, no horizons
   }
-  const SunField field = SunField::OnImage(scene.Place(), disc.Azimuth * DegreesPerRadian,
+  const SunField field = SunField::OnImage(driver.Input().Place(), disc.Azimuth * DegreesPerRadian,
     disc.Elevation * DegreesPerRadian, disc.Radius * DegreesPerRadian);
   if (!field.Same())
   {
-    return AddSun(scene, cache, field, EclipseField(), disc, 0.0, posts);
+    return AddSun(driver, cache, field, EclipseField(), disc, 0.0, posts);
   }
-  const Grid& grid = scene.Posts();
-  std::vector<double> azimuths =
+  const Grid& grid = driver.Input().Posts();
+  const std::vector<double> azimuths =
     SunAzimuths(disc.Azimuth, disc.Azimuth, disc.Elevation, disc.Elevation, disc.Radius);
-  for (double& azimuth : azimuths)
-  {
-    azimuth *= DegreesPerRadian;
-  }
   const std::unique_ptr<float[]> lit(new float[static_cast<std::size_t>(grid.Columns * grid.Rows)]);
   SunAccumulator sun(grid.Columns, grid.Rows, { disc.Azimuth, disc.Elevation, disc.Radius },
     PostBuffer{ lit.get(), 1 });
-  if (!cache.Run(scene, azimuths, 0.0, sun))
+  if (!cache.Run(driver, azimuths, 0.0, sun))
   {
     return false;
   }
@@ -279,25 +277,26 @@ bool AddDisc(HorizonScene& scene, HorizonCache& cache, const SkyDisc& disc, cons
 }
 
 bool AddSun(
-  HorizonScene& scene, HorizonCache& cache, vtkSkylineSunLight* light, const LitPosts& posts)
+  HorizonDriver& driver, HorizonCache& cache, vtkSkylineSunLight* light, const LitPosts& posts)
 {
   SkyDisc disc = DiscOf(light);
   const double darkening = light->GetLimbDarkening() ? EddingtonLimbDarkening : 0.0;
   const SunField sun = light->GetUseTime()
-    ? SunField(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight())
-    : SunField::OnImage(scene.Place(), std::fmod(light->GetAzimuth(), 360.0), light->GetElevation(),
-        light->GetAngularRadius());
+    ? SunField(driver.Input().Place(), ParseUtcTime(light->GetTime()), driver.Input().BaseHeight())
+    : SunField::OnImage(driver.Input().Place(), std::fmod(light->GetAzimuth(), 360.0),
+        light->GetElevation(), light->GetAngularRadius());
   const EclipseField eclipse = light->GetUseTime()
-    ? EclipseField(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight())
+    ? EclipseField(
+        driver.Input().Place(), ParseUtcTime(light->GetTime()), driver.Input().BaseHeight())
     : EclipseField();
   if (light->GetUseTime() && light->GetTrueRadius())
   {
     disc.Radius = sun.Radius() * RadiansPerDegree;
   }
-  return AddSun(scene, cache, sun, eclipse, disc, darkening, posts);
+  return AddSun(driver, cache, sun, eclipse, disc, darkening, posts);
 }
 
-bool AddSun(HorizonScene& scene, HorizonCache& cache, const SunField& sun,
+bool AddSun(HorizonDriver& driver, HorizonCache& cache, const SunField& sun,
   const EclipseField& eclipse, const SkyDisc& disc, double darkening, const LitPosts& posts)
 {
   double first = 0.0, last = 0.0, least = 0.0, greatest = 0.0;
@@ -307,19 +306,15 @@ bool AddSun(HorizonScene& scene, HorizonCache& cache, const SunField& sun,
   {
     return true; // set over all posts
   }
-  std::vector<double> azimuths = SunAzimuths(first * RadiansPerDegree, last * RadiansPerDegree,
-    least * RadiansPerDegree, greatest * RadiansPerDegree, disc.Radius);
-  for (double& azimuth : azimuths)
-  {
-    azimuth *= DegreesPerRadian;
-  }
-  const Grid& grid = scene.Posts();
+  const std::vector<double> azimuths = SunAzimuths(first * RadiansPerDegree,
+    last * RadiansPerDegree, least * RadiansPerDegree, greatest * RadiansPerDegree, disc.Radius);
+  const Grid& grid = driver.Input().Posts();
   const std::unique_ptr<float[]> lit(new float[static_cast<std::size_t>(grid.Columns * grid.Rows)]);
   const PostBuffer buffer{ lit.get(), 1 };
   const auto row = [&](std::ptrdiff_t number, std::ptrdiff_t column, std::ptrdiff_t count, float* x,
                      float* y, float* z) { sun.Row(number, column, count, x, y, z); };
   const auto run = [&](SunAccumulator&& visibility)
-  { return cache.Run(scene, azimuths, 0.0, visibility); };
+  { return cache.Run(driver, azimuths, 0.0, visibility); };
   const bool finished = !sun.Same()
     ? run(SunAccumulator(grid.Columns, grid.Rows, row, disc.Radius, buffer, darkening))
     : run(SunAccumulator(grid.Columns, grid.Rows,
@@ -340,26 +335,25 @@ bool AddSun(HorizonScene& scene, HorizonCache& cache, const SunField& sun,
 }
 
 bool AddLamp(
-  HorizonScene& scene, const ImageFrame& image, vtkSkylineLampLight* light, const LitPosts& posts)
+  HorizonDriver& driver, const ImageFrame& image, vtkSkylineLampLight* light, const LitPosts& posts)
 {
-  const LampTerrain terrain(scene.PreparedField());
+  const LampTerrain terrain(driver.Input().Field());
   LampSettings settings;
-  settings.Shape = scene.UsedSettings().Shape;
-  settings.Sink = scene.UsedSettings().Sink;
-  Grid grid = scene.Posts();
+  settings.Shape = driver.UsedSettings().Shape;
+  settings.Sink = driver.UsedSettings().Sink;
+  const Grid& posted = driver.Input().Posts();
   const double column = (light->GetPosition()[0] - image.Origin[0]) / image.Spacing[0];
   const double row = (light->GetPosition()[1] - image.Origin[1]) / image.Spacing[1];
   // Lamps know no shear: the steps of the centre at right angles.
-  scene.DoubtOneMetric("lamps", { grid.SpacingX, 0.0, grid.SpacingY });
-  const double rows = static_cast<double>(grid.Rows);
-  for (const RowBand& band : scene.BandsOfRows())
+  driver.DoubtOneMetric("lamps", { posted.SpacingX, 0.0, posted.SpacingY });
+  const double rows = static_cast<double>(posted.Rows);
+  for (const RowBand& band : driver.Input().Bands())
   {
-    grid.SpacingX = band.SpacingX;
-    grid.SpacingY = band.SpacingY;
+    const Grid grid = WithSpacing(posted, band);
     Lamp lamp;
     lamp.X = column * grid.SpacingX;
     lamp.Y = row * grid.SpacingY;
-    lamp.Z = light->GetPosition()[2] - scene.MeanHeight();
+    lamp.Z = light->GetPosition()[2] - driver.Input().BaseHeight();
     lamp.Radius = light->GetRadius();
     for (std::size_t c = 0; c < 3; ++c)
     {
@@ -368,7 +362,7 @@ bool AddLamp(
     CheckLamp(lamp); // here, not in a thread
     for (std::ptrdiff_t begin = band.RowBegin; begin < band.RowEnd; begin += RowsPerStrip)
     {
-      if (scene.Progress && !scene.Progress(static_cast<double>(begin) / rows))
+      if (driver.Progress && !driver.Progress(static_cast<double>(begin) / rows))
       {
         return false;
       }

@@ -21,7 +21,7 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-class HorizonScene;
+class HorizonDriver;
 class EclipseField;
 class SunField;
 
@@ -46,10 +46,10 @@ SkyDisc DiscOf(vtkSkylineKeyLight* light);
 
 /// The same, with UseTime as the sun stands over the middle of the scene; in an eclipse with the light
 /// that the Moon leaves there.
-SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonScene& scene);
+SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonDriver& driver);
 
-/// A disc with an azimuth on the image as it stands over the middle of the scene.
-SkyDisc InMiddle(SkyDisc disc, const HorizonScene& scene);
+/// A disc with an azimuth on the image as it stands over the middle of the driver.
+SkyDisc InMiddle(SkyDisc disc, const HorizonDriver& driver);
 
 /// Discs up to this radius, radians, are lit as a whole and shadowed by their lit part; of larger
 /// ones the parts have different cosines, and they become light maps.
@@ -60,11 +60,12 @@ std::vector<float> DrawDisc(const SkyDisc& disc, int& columns, int& rows);
 
 /// A sun, with the same direction everywhere or by its time, and small key lights. False if stopped.
 bool AddSun(
-  HorizonScene& scene, HorizonCache& cache, vtkSkylineSunLight* light, const LitPosts& posts);
-bool AddDisc(HorizonScene& scene, HorizonCache& cache, const SkyDisc& disc, const LitPosts& posts);
+  HorizonDriver& driver, HorizonCache& cache, vtkSkylineSunLight* light, const LitPosts& posts);
+bool AddDisc(
+  HorizonDriver& driver, HorizonCache& cache, const SkyDisc& disc, const LitPosts& posts);
 
 /// A sun whose direction may differ from post to post; radius and irradiance are the disc's.
-bool AddSun(HorizonScene& scene, HorizonCache& cache, const SunField& sun,
+bool AddSun(HorizonDriver& driver, HorizonCache& cache, const SunField& sun,
   const EclipseField& eclipse, const SkyDisc& disc, double darkening, const LitPosts& posts);
 
 /// Where an image puts its posts: metres of the south-west one, and between posts.
@@ -74,8 +75,8 @@ struct ImageFrame
 };
 
 /// A lamp, whose place counts in the image's coordinates. False if stopped.
-bool AddLamp(
-  HorizonScene& scene, const ImageFrame& image, vtkSkylineLampLight* light, const LitPosts& posts);
+bool AddLamp(HorizonDriver& driver, const ImageFrame& image, vtkSkylineLampLight* light,
+  const LitPosts& posts);
 
 } // namespace skyline
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldAlgorithm.h"
 
+#include "Data/MemoryDemand.h"
 #include "Data/Warnings.h"
-#include "HorizonScene.h"
+#include "HorizonDriver.h"
+#include "PyramidCache.h"
 #include "Shared/Constants.h"
 #include "WholeField.h"
 #include "vtkDataArray.h"
@@ -21,11 +23,25 @@ namespace
 // Near hot ground k was measured down to about -5. Far below -100 all terrain would sink away.
 constexpr double LeastRefraction = -100.0;
 
+void CheckHeights(vtkImageData* input, vtkDataArray* heights)
+{
+  if (heights == nullptr || heights->GetNumberOfTuples() != input->GetNumberOfPoints())
+  {
+    throw std::invalid_argument(
+      "the input has no heights: name its point array by SetInputArrayToProcess");
+  }
+  if (heights->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument("the heights have " +
+      std::to_string(heights->GetNumberOfComponents()) + " components; give one a post");
+  }
+}
+
 } // namespace
 
 vtkHeightFieldAlgorithm::vtkHeightFieldAlgorithm()
   : RefractionCoefficient(skyline::TerrestrialRefraction)
-  , Kept(std::make_unique<skyline::KeptPyramid>())
+  , Pyramids(std::make_unique<skyline::PyramidCache>())
 {
 }
 
@@ -61,6 +77,23 @@ int vtkHeightFieldAlgorithm::RequestUpdateExtent(
   return 1;
 }
 
+skyline::HorizonSettings vtkHeightFieldAlgorithm::Settings(
+  const skyline::HorizonInput& surface) const
+{
+  if (!(this->RefractionCoefficient >= LeastRefraction && this->RefractionCoefficient < 1.0))
+  {
+    throw std::invalid_argument("the refraction coefficient is " +
+      std::to_string(this->RefractionCoefficient) + "; give -100 to below 1, 0.13 in usual air");
+  }
+  skyline::HorizonSettings settings;
+  settings.Method = static_cast<skyline::HorizonMethodKind>(this->Method);
+  settings.Shape = static_cast<skyline::Surface>(this->Surface);
+  settings.Sink = this->Flat ? 0.0 : surface.Sink(this->RefractionCoefficient);
+  settings.Tolerance = this->Tolerance * skyline::RadiansPerDegree;
+  settings.Pyramid = { this->LevelStep, this->LevelOffset, this->LevelDistance, this->LevelSpline };
+  return settings;
+}
+
 int vtkHeightFieldAlgorithm::RequestData(
   vtkInformation*, vtkInformationVector** in, vtkInformationVector* out)
 {
@@ -70,36 +103,15 @@ int vtkHeightFieldAlgorithm::RequestData(
   try
   {
     skyline::CheckWhole(in[0]->GetInformationObject(0));
-    if (heights == nullptr || heights->GetNumberOfTuples() != input->GetNumberOfPoints())
-    {
-      throw std::invalid_argument(
-        "the input has no heights: name its point array by SetInputArrayToProcess");
-    }
-    if (heights->GetNumberOfComponents() != 1)
-    {
-      throw std::invalid_argument("the heights have " +
-        std::to_string(heights->GetNumberOfComponents()) + " components; give one a post");
-    }
-    if (!(this->RefractionCoefficient >= LeastRefraction && this->RefractionCoefficient < 1.0))
-    {
-      throw std::invalid_argument("the refraction coefficient is " +
-        std::to_string(this->RefractionCoefficient) + "; give -100 to below 1, 0.13 in usual air");
-    }
-    skyline::HorizonScene::Options options;
-    options.Settings.Method = static_cast<skyline::HorizonMethodKind>(this->Method);
-    options.Settings.Shape = static_cast<skyline::Surface>(this->Surface);
-    options.Settings.Tolerance = this->Tolerance * skyline::RadiansPerDegree;
-    options.Settings.Pyramid = { this->LevelStep, this->LevelOffset, this->LevelDistance,
-      this->LevelSpline };
-    options.Flat = this->Flat;
-    options.Refraction = this->RefractionCoefficient;
+    CheckHeights(input, heights);
+    skyline::HorizonInput surface(input, heights);
+    const skyline::HorizonSettings settings = this->Settings(surface);
     if (this->Method != PYRAMID)
     {
-      this->Kept->Pyramid = nullptr;
+      this->Pyramids->Clear();
     }
-    options.Kept = this->Kept.get();
-    skyline::HorizonScene scene(input, heights, options);
-    scene.Progress = [this](double part)
+    skyline::HorizonDriver driver(surface, settings, this->Pyramids.get());
+    driver.Progress = [this](double part)
     {
       this->UpdateProgress(part);
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -109,14 +121,14 @@ int vtkHeightFieldAlgorithm::RequestData(
 #endif
     };
     output->ShallowCopy(input);
-    const bool finished = this->Compute(scene, output);
-    for (const skyline::Doubt& doubt : scene.Doubts)
+    const bool finished = this->Compute(driver, output);
+    for (const skyline::Doubt& doubt : driver.Doubts())
     {
       skyline::Warn(this, doubt);
     }
-    this->PrepareSeconds = scene.PrepareSeconds;
-    this->SearchSeconds = scene.SearchSeconds;
-    this->PyramidBuilds = scene.PyramidBuilds;
+    this->PrepareSeconds = driver.PrepareSeconds;
+    this->SearchSeconds = driver.SearchSeconds;
+    this->PyramidBuilds = driver.PyramidBuilds;
     if (!finished)
     {
       output->Initialize();
@@ -129,8 +141,7 @@ int vtkHeightFieldAlgorithm::RequestData(
     const int* posts = input->GetDimensions();
     output->Initialize();
     vtkErrorMacro(<< "not enough memory for " << posts[0] << " x " << posts[1]
-                  << " posts (std::bad_alloc); ask for less at a time, cut the raster "
-                     "(gdal_translate -srcwin) or make it coarser (-tr)");
+                  << " posts (std::bad_alloc); " << skyline::MemoryCure);
     return 0;
   }
   catch (const std::exception& reason)

@@ -18,13 +18,15 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
 
-#include <memory> // For Kept
+#include <memory> // For Pyramids
 #include <string>
 
 namespace skyline
 {
-class HorizonScene;
-struct KeptPyramid;
+class HorizonDriver;
+class HorizonInput;
+class PyramidCache;
+struct HorizonSettings;
 } // namespace skyline
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -129,7 +131,7 @@ protected:
 
   /// Adds the filter's arrays to `output`, which holds the input's data. Returns false if aborted;
   /// throws std::exception with a one-line reason.
-  virtual bool Compute(skyline::HorizonScene& scene, vtkImageData* output) = 0;
+  virtual bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) = 0;
 
   int Method = EXACT;
   int Surface = TRIANGLES;
@@ -148,7 +150,9 @@ private:
   vtkHeightFieldAlgorithm(const vtkHeightFieldAlgorithm&) = delete;
   void operator=(const vtkHeightFieldAlgorithm&) = delete;
 
-  std::unique_ptr<skyline::KeptPyramid> Kept;
+  skyline::HorizonSettings Settings(const skyline::HorizonInput& surface) const;
+
+  std::unique_ptr<skyline::PyramidCache> Pyramids;
 };
 VTK_ABI_NAMESPACE_END
 

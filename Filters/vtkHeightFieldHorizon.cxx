@@ -3,7 +3,8 @@
 
 #include "Azimuths.h"
 #include "Horizon/StoreAccumulator.h"
-#include "HorizonScene.h"
+#include "HorizonDriver.h"
+#include "PostArrays.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
@@ -16,22 +17,23 @@ void vtkHeightFieldHorizon::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfAzimuths: " << this->NumberOfAzimuths << "\n";
 }
 
-bool vtkHeightFieldHorizon::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+bool vtkHeightFieldHorizon::Compute(skyline::HorizonDriver& driver, vtkImageData* output)
 {
   const std::vector<double> azimuths = skyline::EvenAzimuths(this->NumberOfAzimuths);
-  scene.DemandFloats("horizons", this->NumberOfAzimuths, azimuths);
-  vtkFloatArray* horizon = scene.AddArray(output, "HorizonElevation", this->NumberOfAzimuths);
-  if (!this->Store(scene, azimuths, horizon->GetPointer(0)))
+  driver.DemandFloats("horizons", this->NumberOfAzimuths, azimuths);
+  vtkFloatArray* horizon =
+    skyline::AddPostArray(output, "HorizonElevation", this->NumberOfAzimuths);
+  if (!this->Store(driver, azimuths, horizon->GetPointer(0)))
   {
     return false;
   }
-  scene.BlankMissing(horizon);
+  skyline::BlankMissing(driver.Input().Field(), horizon);
   return true;
 }
 
 bool vtkHeightFieldHorizon::Store(
-  skyline::HorizonScene& scene, const std::vector<double>& azimuths, float* values)
+  skyline::HorizonDriver& driver, const std::vector<double>& azimuths, float* values)
 {
-  skyline::StoreAccumulator store(scene.Posts().Columns, values, this->NumberOfAzimuths);
-  return scene.Run(azimuths, 0.0, store, skyline::AzimuthAxes::Image);
+  skyline::StoreAccumulator store(driver.Input().Posts().Columns, values, this->NumberOfAzimuths);
+  return driver.Run(azimuths, 0.0, store, skyline::AzimuthAxes::Image);
 }

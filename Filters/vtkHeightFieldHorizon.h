@@ -34,11 +34,11 @@ protected:
   vtkHeightFieldHorizon() = default;
   ~vtkHeightFieldHorizon() override = default;
 
-  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+  bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
   /// Fills NumberOfAzimuths values a post, degrees. False if stopped.
   virtual bool Store(
-    skyline::HorizonScene& scene, const std::vector<double>& azimuths, float* values);
+    skyline::HorizonDriver& driver, const std::vector<double>& azimuths, float* values);
 
   int NumberOfAzimuths = 36;
 

@@ -2,13 +2,13 @@
 #include "vtkHeightFieldIrradiance.h"
 
 #include "Azimuths.h"
-#include "Data/Warnings.h"
 #include "HarmonicBands.h"
 #include "HarmonicLight.h"
 #include "Harmonics/VisibilityAccumulator.h"
-#include "HorizonScene.h"
+#include "HorizonDriver.h"
 #include "LampReach.h"
 #include "LightPasses.h"
+#include "PostArrays.h"
 #include "Sky/LightAzimuths.h"
 #include "vtkSkylineEnvironmentLight.h"
 #include "vtkSkylineKeyLight.h"
@@ -36,9 +36,9 @@ vtkStandardNewMacro(vtkHeightFieldIrradiance);
 namespace
 {
 
-/// The light map with its sun, or else its north, turned to the ground's axes (HorizonScene::Place).
+/// The light map with its sun, or else its north, turned to the ground's axes (HorizonInput::Place).
 skyline::TurnedLightMap OnGround(
-  vtkSkylineEnvironmentLight* environment, const skyline::HorizonScene& scene)
+  vtkSkylineEnvironmentLight* environment, const skyline::HorizonDriver& driver)
 {
   skyline::TurnedLightMap map = environment->GetLightMap();
   const int source = environment->GetSource();
@@ -48,7 +48,7 @@ skyline::TurnedLightMap OnGround(
     formula ? std::fmod(environment->GetSunAzimuth(), 360.0) * skyline::RadiansPerDegree : 0.0;
   skyline::SkyDisc disc;
   disc.Azimuth = sun + map.Rotation;
-  map.Rotation = skyline::InMiddle(disc, scene).Azimuth - sun;
+  map.Rotation = skyline::InMiddle(disc, driver).Azimuth - sun;
   return map;
 }
 
@@ -71,7 +71,7 @@ struct vtkHeightFieldIrradiance::SortedLights
       this->Lamps.size();
   }
 
-  void Add(vtkSkylineLight* light, const skyline::HorizonScene& scene)
+  void Add(vtkSkylineLight* light, const skyline::HorizonDriver& driver)
   {
     this->AllLamps += vtkSkylineLampLight::SafeDownCast(light) ? 1 : 0;
     if (!light->GetSwitch())
@@ -80,7 +80,7 @@ struct vtkHeightFieldIrradiance::SortedLights
     }
     if (auto* environment = vtkSkylineEnvironmentLight::SafeDownCast(light))
     {
-      this->Maps.push_back(OnGround(environment, scene));
+      this->Maps.push_back(OnGround(environment, driver));
     }
     else if (auto* sun = vtkSkylineSunLight::SafeDownCast(light))
     {
@@ -185,10 +185,10 @@ vtkMTimeType vtkHeightFieldIrradiance::GetMTime()
 
 // What the horizons of a scene depend on.
 std::vector<double> vtkHeightFieldIrradiance::SurfaceKey(
-  skyline::HorizonScene& scene, vtkImageData* image)
+  skyline::HorizonDriver& driver, vtkImageData* image)
 {
-  const skyline::Grid& grid = scene.Posts();
-  const std::uint64_t heights = scene.Fingerprint();
+  const skyline::Grid& grid = driver.Input().Posts();
+  const std::uint64_t heights = driver.Input().Checksum();
   vtkMTimeType time = 0;
   vtkFieldData* place = image->GetFieldData();
   for (int i = 0; i < place->GetNumberOfArrays(); ++i)
@@ -226,7 +226,7 @@ std::ptrdiff_t vtkHeightFieldIrradiance::FloatsOfPasses(
   return 3 + (this->Horizontal ? 0 : 2) + pass;
 }
 
-bool vtkHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+bool vtkHeightFieldIrradiance::Compute(skyline::HorizonDriver& driver, vtkImageData* output)
 {
   using namespace skyline;
   this->SearchedAzimuths = this->EnvironmentPasses = this->SunPasses = this->LampPasses = 0;
@@ -238,16 +238,17 @@ bool vtkHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageDat
   SortedLights lights;
   for (vtkSkylineLight* light : this->Internals->Lights)
   {
-    lights.Add(light, scene);
+    lights.Add(light, driver);
   }
   if (lights.Count() == 0)
   {
     throw std::invalid_argument("no light shines; add one by AddLight");
   }
 
-  scene.DemandFloats("lit posts", this->FloatsOfPasses(lights, scene.Ground().Uniform()), {});
+  driver.DemandFloats(
+    "lit posts", this->FloatsOfPasses(lights, driver.Input().Ground().Uniform()), {});
   const auto count = static_cast<std::size_t>(output->GetNumberOfPoints());
-  vtkFloatArray* irradiance = scene.AddArray(output, "Irradiance", 3);
+  vtkFloatArray* irradiance = skyline::AddPostArray(output, "Irradiance", 3);
   std::fill_n(irradiance->GetPointer(0), 3 * count, 0.0f);
   std::vector<float> gradients;
   LitPosts posts;
@@ -257,32 +258,33 @@ bool vtkHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageDat
     gradients.resize(2 * count);
     posts.East = gradients.data();
     posts.North = gradients.data() + count;
-    scene.FillGradients(gradients.data(), gradients.data() + count);
+    driver.Input().FillGradients(gradients.data(), gradients.data() + count);
   }
   HorizonCache& cache = this->Internals->Cache;
   cache.Keep = this->KeepHorizons;
   cache.Searched = 0;
-  const std::vector<double> surface = this->SurfaceKey(scene, output);
+  const std::vector<double> surface = this->SurfaceKey(driver, output);
   cache.SetSurface(surface);
 
-  const bool finished = this->LightMethod == HARMONICS ? AddHarmonics(scene, lights, surface, posts)
-                                                       : AddTables(scene, lights, posts);
+  const bool finished = this->LightMethod == HARMONICS
+    ? AddHarmonics(driver, lights, surface, posts)
+    : AddTables(driver, lights, posts);
   this->SearchedAzimuths += cache.Searched;
-  if (!finished || !AddLamps(scene, lights, output, posts))
+  if (!finished || !AddLamps(driver, lights, output, posts))
   {
     return false;
   }
-  const std::ptrdiff_t beyond = scene.CountNotFinite(irradiance);
+  const std::ptrdiff_t beyond = skyline::CountNotFinite(driver.Input().Field(), irradiance);
   if (beyond > 0)
   {
     throw std::runtime_error("the light on " + std::to_string(beyond) +
       " posts is more than a float holds (3.4e38); give dimmer lights");
   }
-  scene.BlankMissing(irradiance);
+  skyline::BlankMissing(driver.Input().Field(), irradiance);
   return true;
 }
 
-bool vtkHeightFieldIrradiance::AddHarmonics(skyline::HorizonScene& scene,
+bool vtkHeightFieldIrradiance::AddHarmonics(skyline::HorizonDriver& driver,
   const SortedLights& lights, const std::vector<double>& surface, const skyline::LitPosts& posts)
 {
   using namespace skyline;
@@ -299,26 +301,26 @@ bool vtkHeightFieldIrradiance::AddHarmonics(skyline::HorizonScene& scene,
   {
     for (const SkyDisc& disc : *discs)
     {
-      sum.Add(InMiddle(disc, scene));
+      sum.Add(InMiddle(disc, driver));
     }
   }
   for (vtkSkylineSunLight* sun : lights.Suns)
   {
-    sum.Add(DiscOf(sun, scene));
+    sum.Add(DiscOf(sun, driver));
   }
 
   std::vector<double> key = surface;
   key.insert(key.end(),
     { 1.0 * this->NumberOfAzimuths, 1.0 * this->HarmonicBands, this->Horizontal ? 1.0 : 0.0 });
-  return this->LightByHarmonics(scene, sum, key, posts);
+  return this->LightByHarmonics(driver, sum, key, posts);
 }
 
-bool vtkHeightFieldIrradiance::LightByHarmonics(skyline::HorizonScene& scene,
+bool vtkHeightFieldIrradiance::LightByHarmonics(skyline::HorizonDriver& driver,
   const skyline::HarmonicLight& light, const std::vector<double>& key,
   const skyline::LitPosts& posts)
 {
   using namespace skyline;
-  const Grid& grid = scene.Posts();
+  const Grid& grid = driver.Input().Posts();
   const auto count = static_cast<std::size_t>(grid.Columns * grid.Rows);
   std::vector<float>& transfer = this->Internals->Transfer;
   if (key != this->Internals->TransferKey)
@@ -334,7 +336,7 @@ bool vtkHeightFieldIrradiance::LightByHarmonics(skyline::HorizonScene& scene,
     VisibilityAccumulator accumulator(buffers, this->Horizontal ? level.data() : posts.East,
       this->Horizontal ? level.data() : posts.North);
     ++this->EnvironmentPasses;
-    if (!this->Internals->Cache.Run(scene, EvenAzimuths(this->NumberOfAzimuths),
+    if (!this->Internals->Cache.Run(driver, EvenAzimuths(this->NumberOfAzimuths),
           2.0 * Pi / this->NumberOfAzimuths, accumulator))
     {
       return false;
@@ -348,7 +350,7 @@ bool vtkHeightFieldIrradiance::LightByHarmonics(skyline::HorizonScene& scene,
 }
 
 bool vtkHeightFieldIrradiance::AddTables(
-  skyline::HorizonScene& scene, const SortedLights& lights, const skyline::LitPosts& posts)
+  skyline::HorizonDriver& driver, const SortedLights& lights, const skyline::LitPosts& posts)
 {
   using namespace skyline;
   HorizonCache& cache = this->Internals->Cache;
@@ -359,11 +361,11 @@ bool vtkHeightFieldIrradiance::AddTables(
     for (const SkyDisc& disc : lights.LargeDiscs)
     {
       int columns = 0, rows = 0;
-      drawn.push_back(DrawDisc(InMiddle(disc, scene), columns, rows));
+      drawn.push_back(DrawDisc(InMiddle(disc, driver), columns, rows));
       maps.emplace_back();
       maps.back().Map = ViewTopDown(drawn.back().data(), columns, rows);
     }
-    const Grid& grid = scene.Posts();
+    const Grid& grid = driver.Input().Posts();
     LightAccumulator::Options options;
     options.Quadrature = static_cast<SwathQuadrature>(this->Quadrature);
     LightAccumulator accumulator(grid.Columns, grid.Rows, maps,
@@ -373,10 +375,10 @@ bool vtkHeightFieldIrradiance::AddTables(
     for (double& azimuth : azimuths)
     {
       // LINEAR feeds north once more in the end; it shall be found among the kept.
-      azimuth = azimuth >= 2.0 * Pi ? 0.0 : azimuth * DegreesPerRadian;
+      azimuth = azimuth >= 2.0 * Pi ? 0.0 : azimuth;
     }
     ++this->EnvironmentPasses;
-    if (!cache.Run(scene, azimuths, 0.0, accumulator))
+    if (!cache.Run(driver, azimuths, 0.0, accumulator))
     {
       return false;
     }
@@ -384,7 +386,7 @@ bool vtkHeightFieldIrradiance::AddTables(
   for (const SkyDisc& disc : lights.Discs)
   {
     ++this->SunPasses;
-    if (!AddDisc(scene, cache, disc, posts))
+    if (!AddDisc(driver, cache, disc, posts))
     {
       return false;
     }
@@ -392,7 +394,7 @@ bool vtkHeightFieldIrradiance::AddTables(
   for (vtkSkylineSunLight* sun : lights.Suns)
   {
     ++this->SunPasses;
-    if (!AddSun(scene, cache, sun, posts))
+    if (!AddSun(driver, cache, sun, posts))
     {
       return false;
     }
@@ -400,7 +402,7 @@ bool vtkHeightFieldIrradiance::AddTables(
   return true;
 }
 
-bool vtkHeightFieldIrradiance::AddLamps(skyline::HorizonScene& scene, const SortedLights& lights,
+bool vtkHeightFieldIrradiance::AddLamps(skyline::HorizonDriver& driver, const SortedLights& lights,
   vtkImageData* image, const skyline::LitPosts& posts)
 {
   const double* origin = image->GetOrigin();
@@ -418,9 +420,9 @@ bool vtkHeightFieldIrradiance::AddLamps(skyline::HorizonScene& scene, const Sort
         { { bounds[0], bounds[1], bounds[2], bounds[3] } });
     if (doubt)
     {
-      skyline::Warn(this, *doubt);
+      driver.AddDoubt(*doubt);
     }
-    if (!skyline::AddLamp(scene, frame, lamp, posts))
+    if (!skyline::AddLamp(driver, frame, lamp, posts))
     {
       return false;
     }

@@ -131,11 +131,11 @@ protected:
   vtkHeightFieldIrradiance();
   ~vtkHeightFieldIrradiance() override;
 
-  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+  bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
   /// Adds what a light in harmonics gives to all posts, from their transfer, which is kept as long as
   /// `key` is the same. False if stopped.
-  virtual bool LightByHarmonics(skyline::HorizonScene& scene, const skyline::HarmonicLight& light,
+  virtual bool LightByHarmonics(skyline::HorizonDriver& driver, const skyline::HarmonicLight& light,
     const std::vector<double>& key, const skyline::LitPosts& posts);
 
   int LightMethod = TABLE;
@@ -155,13 +155,13 @@ private:
   void operator=(const vtkHeightFieldIrradiance&) = delete;
 
   struct SortedLights;
-  std::vector<double> SurfaceKey(skyline::HorizonScene& scene, vtkImageData* image);
+  std::vector<double> SurfaceKey(skyline::HorizonDriver& driver, vtkImageData* image);
   std::ptrdiff_t FloatsOfPasses(const SortedLights& lights, bool uniform) const;
-  bool AddHarmonics(skyline::HorizonScene& scene, const SortedLights& lights,
+  bool AddHarmonics(skyline::HorizonDriver& driver, const SortedLights& lights,
     const std::vector<double>& surface, const skyline::LitPosts& posts);
   bool AddTables(
-    skyline::HorizonScene& scene, const SortedLights& lights, const skyline::LitPosts& posts);
-  bool AddLamps(skyline::HorizonScene& scene, const SortedLights& lights, vtkImageData* image,
+    skyline::HorizonDriver& driver, const SortedLights& lights, const skyline::LitPosts& posts);
+  bool AddLamps(skyline::HorizonDriver& driver, const SortedLights& lights, vtkImageData* image,
     const skyline::LitPosts& posts);
 
   struct Internal;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldShadowHeight.h"
 
-#include "Data/Warnings.h"
-#include "HorizonScene.h"
+#include "HorizonDriver.h"
+#include "PostArrays.h"
 #include "ShadowHeight/ShadowHeight.h"
 #include "ShadowHeight/ShadowHeightSweep.h"
 #include "Sun/SunField.h"
@@ -29,12 +29,12 @@ namespace
 class ShadowStore : public skyline::Accumulator
 {
 public:
-  ShadowStore(const skyline::HorizonScene& scene, vtkDataArray* heights, vtkFloatArray* shadows,
+  ShadowStore(const skyline::HorizonDriver& driver, vtkDataArray* heights, vtkFloatArray* shadows,
     bool belowTerrain)
-    : Scene(scene)
+    : Driver(driver)
     , Heights(heights)
     , Shadows(shadows->GetPointer(0))
-    , Columns(scene.Posts().Columns)
+    , Columns(driver.Input().Posts().Columns)
     , BelowTerrain(belowTerrain)
   {
   }
@@ -49,11 +49,11 @@ public:
 
   void Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd) override
   {
-    const double base = this->Scene.MeanHeight();
+    const double base = this->Driver.Input().BaseHeight();
     std::vector<float> buffer;
     for (std::ptrdiff_t row = rowBegin; row < rowEnd; ++row)
     {
-      const float* receivers = this->Scene.PreparedField().Receivers(false, row, buffer);
+      const float* receivers = this->Driver.Input().Field().Receivers(false, row, buffer);
       for (std::ptrdiff_t column = 0; column < this->Columns; ++column)
       {
         const vtkIdType post = row * this->Columns + column;
@@ -76,7 +76,7 @@ public:
   }
 
 private:
-  const skyline::HorizonScene& Scene;
+  const skyline::HorizonDriver& Driver;
   vtkDataArray* Heights;
   float* Shadows;
   std::ptrdiff_t Columns;
@@ -96,35 +96,36 @@ void vtkHeightFieldShadowHeight::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 std::unique_ptr<skyline::HorizonMethod> vtkHeightFieldShadowHeight::MakeMethod(
-  skyline::HorizonScene& scene, double slope)
+  skyline::HorizonDriver& driver, double slope)
 {
   if (this->Method == SWEEP)
   {
-    return std::make_unique<skyline::ShadowHeightSweep>(scene.PreparedField(), slope);
+    return std::make_unique<skyline::ShadowHeightSweep>(driver.Input().Field(), slope);
   }
   return std::make_unique<skyline::ShadowHeightExact>(
-    scene.PreparedField(), slope, scene.UsedSettings().Sink);
+    driver.Input().Field(), slope, driver.UsedSettings().Sink);
 }
 
-bool vtkHeightFieldShadowHeight::AddShadow(skyline::HorizonScene& scene, vtkImageData* output,
+bool vtkHeightFieldShadowHeight::AddShadow(skyline::HorizonDriver& driver, vtkImageData* output,
   const char* name, double elevation, bool risen, bool belowTerrain)
 {
-  vtkFloatArray* shadows = scene.AddArray(output, name);
+  vtkFloatArray* shadows = skyline::AddPostArray(output, name);
   if (!risen)
   {
     shadows->FillValue(std::numeric_limits<float>::infinity());
-    scene.BlankMissing(shadows);
+    skyline::BlankMissing(driver.Input().Field(), shadows);
     return true;
   }
-  const auto method = this->MakeMethod(scene, skyline::ShadowSlope(elevation));
-  ShadowStore store(scene, this->GetInputArrayToProcess(0, output), shadows, belowTerrain);
-  const bool finished = scene.Run(
-    *method, { std::fmod(this->SunAzimuth, 360.0) }, 0.0, store, skyline::AzimuthAxes::Image);
-  scene.BlankMissing(shadows);
+  const auto method = this->MakeMethod(driver, skyline::ShadowSlope(elevation));
+  ShadowStore store(driver, this->GetInputArrayToProcess(0, output), shadows, belowTerrain);
+  const bool finished =
+    driver.Run(*method, { std::fmod(this->SunAzimuth, 360.0) * skyline::RadiansPerDegree }, 0.0,
+      store, skyline::AzimuthAxes::Image);
+  skyline::BlankMissing(driver.Input().Field(), shadows);
   return finished;
 }
 
-bool vtkHeightFieldShadowHeight::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+bool vtkHeightFieldShadowHeight::Compute(skyline::HorizonDriver& driver, vtkImageData* output)
 {
   if (this->Method == PYRAMID)
   {
@@ -136,27 +137,28 @@ bool vtkHeightFieldShadowHeight::Compute(skyline::HorizonScene& scene, vtkImageD
   }
   skyline::SunField::Constant(
     std::fmod(this->SunAzimuth, 360.0), this->SunElevation, this->SunAngularRadius);
-  scene.DemandFloats("shadow heights", this->Soft ? 3 : 1, { std::fmod(this->SunAzimuth, 360.0) });
-  scene.DoubtOneMetric("shadow heights", scene.CentreMetric());
+  driver.DemandFloats("shadow heights", this->Soft ? 3 : 1,
+    { std::fmod(this->SunAzimuth, 360.0) * skyline::RadiansPerDegree });
+  driver.DoubtOneMetric("shadow heights", driver.Input().CentreMetric());
   const double elevation = this->SunElevation * skyline::RadiansPerDegree;
   const double radius = this->SunAngularRadius * skyline::RadiansPerDegree;
   if (elevation <= 0.0)
   {
     std::ostringstream degrees;
     degrees << this->SunElevation;
-    skyline::Warn(this,
+    driver.AddDoubt(
       { "the sun's centre stands at " + degrees.str() + " degrees, not above the horizontal plane",
         "that all is in its shadow at any height: ShadowHeight is infinite, and nodata in a raster",
         "" });
   }
   bool finished =
-    this->AddShadow(scene, output, "ShadowHeight", elevation, elevation > 0.0, this->BelowTerrain);
+    this->AddShadow(driver, output, "ShadowHeight", elevation, elevation > 0.0, this->BelowTerrain);
   if (this->Soft && finished)
   {
     const bool risen = elevation + radius > 0.0;
     finished =
-      this->AddShadow(scene, output, "ShadowHeightUpper", elevation + radius, risen, true) &&
-      this->AddShadow(scene, output, "ShadowHeightLower", elevation - radius, risen, true);
+      this->AddShadow(driver, output, "ShadowHeightUpper", elevation + radius, risen, true) &&
+      this->AddShadow(driver, output, "ShadowHeightLower", elevation - radius, risen, true);
   }
   vtkNew<vtkDoubleArray> sun;
   sun->SetName("ShadowSun");

@@ -80,13 +80,13 @@ protected:
   vtkHeightFieldShadowHeight() = default;
   ~vtkHeightFieldShadowHeight() override = default;
 
-  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+  bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
 #ifndef __VTK_WRAP__
   /// What finds shadow heights of a light whose rays fall by `slope` metres a metre; a filter on another
   /// processor puts its own here.
   virtual std::unique_ptr<skyline::HorizonMethod> MakeMethod(
-    skyline::HorizonScene& scene, double slope);
+    skyline::HorizonDriver& driver, double slope);
 #endif
 
   double SunAzimuth = 315.0;
@@ -100,7 +100,7 @@ private:
   void operator=(const vtkHeightFieldShadowHeight&) = delete;
 
   // The shadow heights of a light of the elevation (radians); infinite unless it has risen.
-  bool AddShadow(skyline::HorizonScene& scene, vtkImageData* output, const char* name,
+  bool AddShadow(skyline::HorizonDriver& driver, vtkImageData* output, const char* name,
     double elevation, bool risen, bool belowTerrain);
 };
 VTK_ABI_NAMESPACE_END

@@ -2,7 +2,8 @@
 #include "vtkHeightFieldSkyLight.h"
 
 #include "Azimuths.h"
-#include "HorizonScene.h"
+#include "HorizonDriver.h"
+#include "PostArrays.h"
 #include "Sky/ZonalSky.h"
 
 #include "vtkFloatArray.h"
@@ -21,20 +22,20 @@ void vtkHeightFieldSkyLight::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "CieType: " << this->CieType << "\n";
 }
 
-bool vtkHeightFieldSkyLight::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+bool vtkHeightFieldSkyLight::Compute(skyline::HorizonDriver& driver, vtkImageData* output)
 {
   const std::vector<double> azimuths = skyline::EvenAzimuths(this->NumberOfAzimuths);
   const skyline::ZonalSky sky(this->CieType);
   const auto posts = static_cast<std::size_t>(output->GetNumberOfPoints());
   const std::unique_ptr<float[]> gradients(new float[2 * posts]);
-  scene.FillGradients(gradients.get(), gradients.get() + posts);
-  vtkFloatArray* light = scene.AddArray(output, "SkyLight");
-  skyline::ZonalSkyAccumulator sum(
-    sky, scene.Posts().Columns, gradients.get(), gradients.get() + posts, light->GetPointer(0));
-  if (!scene.Run(azimuths, 2.0 * skyline::Pi / this->NumberOfAzimuths, sum))
+  driver.Input().FillGradients(gradients.get(), gradients.get() + posts);
+  vtkFloatArray* light = skyline::AddPostArray(output, "SkyLight");
+  skyline::ZonalSkyAccumulator sum(sky, driver.Input().Posts().Columns, gradients.get(),
+    gradients.get() + posts, light->GetPointer(0));
+  if (!driver.Run(azimuths, 2.0 * skyline::Pi / this->NumberOfAzimuths, sum))
   {
     return false;
   }
-  scene.BlankMissing(light);
+  skyline::BlankMissing(driver.Input().Field(), light);
   return true;
 }

@@ -40,7 +40,7 @@ protected:
   vtkHeightFieldSkyLight() = default;
   ~vtkHeightFieldSkyLight() override = default;
 
-  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+  bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
   int NumberOfAzimuths = 72;
   int CieType = 1;

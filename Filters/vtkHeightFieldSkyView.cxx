@@ -3,7 +3,8 @@
 
 #include "Azimuths.h"
 #include "Horizon/EdgeTrustAccumulator.h"
-#include "HorizonScene.h"
+#include "HorizonDriver.h"
+#include "PostArrays.h"
 #include "Sky/SkyAccumulator.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -96,12 +97,12 @@ double vtkHeightFieldSkyView::UsedEdgeDistance(const skyline::Grid& posts) const
   return this->EdgeDistance;
 }
 
-bool vtkHeightFieldSkyView::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+bool vtkHeightFieldSkyView::Compute(skyline::HorizonDriver& driver, vtkImageData* output)
 {
   const std::vector<double> azimuths = skyline::EvenAzimuths(this->NumberOfAzimuths);
   const int quantities = this->SkyViewFactor + this->SkyViewFactorHorizontal +
     this->VisibleSkyFraction + this->PositiveOpenness + 2 * this->EdgeTrust;
-  scene.DemandFloats("views of the sky", quantities + (this->SkyViewFactor ? 2 : 0), azimuths);
+  driver.DemandFloats("views of the sky", quantities + (this->SkyViewFactor ? 2 : 0), azimuths);
   std::vector<vtkFloatArray*> arrays;
   const auto buffer = [&](bool wanted, const char* name)
   {
@@ -109,7 +110,7 @@ bool vtkHeightFieldSkyView::Compute(skyline::HorizonScene& scene, vtkImageData* 
     {
       return skyline::PostBuffer();
     }
-    arrays.push_back(scene.AddArray(output, name));
+    arrays.push_back(skyline::AddPostArray(output, name));
     return skyline::PostBuffer{ arrays.back()->GetPointer(0), 1 };
   };
   skyline::SkyBuffers buffers;
@@ -132,29 +133,25 @@ bool vtkHeightFieldSkyView::Compute(skyline::HorizonScene& scene, vtkImageData* 
   {
     gradients.reset(new float[2 * posts]);
     north = gradients.get() + posts;
-    scene.FillGradients(gradients.get(), north);
+    driver.Input().FillGradients(gradients.get(), north);
   }
-  skyline::SkyAccumulator sky(scene.Posts().Columns, buffers, gradients.get(), north);
+  skyline::SkyAccumulator sky(driver.Input().Posts().Columns, buffers, gradients.get(), north);
   std::unique_ptr<skyline::EdgeTrustAccumulator> edges;
   if (this->EdgeTrust)
   {
-    const std::vector<double>& across = scene.Place().RowSpacingX;
-    const std::vector<double>& along = scene.Place().RowSpacingY;
-    scene.DoubtOneMetric("edge trust", scene.CentreMetric());
-    const bool byRow = static_cast<std::ptrdiff_t>(across.size()) == scene.Posts().Rows &&
-      across.size() == along.size();
-    edges = std::make_unique<skyline::EdgeTrustAccumulator>(scene.PreparedField(),
-      this->UsedEdgeDistance(scene.Posts()), trust, byRow ? across.data() : nullptr,
-      byRow ? along.data() : nullptr);
+    driver.DoubtOneMetric("edge trust", driver.Input().CentreMetric());
+    edges = std::make_unique<skyline::EdgeTrustAccumulator>(driver.Input().Field(),
+      this->UsedEdgeDistance(driver.Input().Posts()), trust, driver.Input().Ground().RowSpacingX(),
+      driver.Input().Ground().RowSpacingY());
   }
   Both consumers(sky, edges.get());
-  if (!scene.Run(azimuths, 2.0 * skyline::Pi / this->NumberOfAzimuths, consumers))
+  if (!driver.Run(azimuths, 2.0 * skyline::Pi / this->NumberOfAzimuths, consumers))
   {
     return false;
   }
   for (vtkFloatArray* array : arrays)
   {
-    scene.BlankMissing(array);
+    skyline::BlankMissing(driver.Input().Field(), array);
   }
   return true;
 }

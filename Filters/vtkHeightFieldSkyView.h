@@ -75,7 +75,7 @@ protected:
   vtkHeightFieldSkyView() = default;
   ~vtkHeightFieldSkyView() override = default;
 
-  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+  bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
   int NumberOfAzimuths = 72;
   bool SkyViewFactor = true;

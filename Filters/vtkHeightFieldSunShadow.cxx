@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldSunShadow.h"
 
-#include "HorizonScene.h"
+#include "HorizonDriver.h"
+#include "PostArrays.h"
 #include "Sun/Eclipse.h"
 #include "Sun/SunAccumulator.h"
 #include "Sun/SunField.h"
@@ -53,15 +54,17 @@ void vtkHeightFieldSunShadow::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "SearchedAzimuths: " << this->SearchedAzimuths << "\n";
 }
 
-bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+bool vtkHeightFieldSunShadow::Compute(skyline::HorizonDriver& driver, vtkImageData* output)
 {
   constexpr double radians = skyline::RadiansPerDegree;
   const skyline::SunField sun = this->UseTime
-    ? skyline::SunField(scene.Place(), skyline::ParseUtcTime(this->Time), scene.MeanHeight())
-    : skyline::SunField::OnImage(scene.Place(), std::fmod(this->SunAzimuth, 360.0),
+    ? skyline::SunField(
+        driver.Input().Place(), skyline::ParseUtcTime(this->Time), driver.Input().BaseHeight())
+    : skyline::SunField::OnImage(driver.Input().Place(), std::fmod(this->SunAzimuth, 360.0),
         this->SunElevation, this->SunAngularRadius);
   const skyline::EclipseField eclipse = this->UseTime
-    ? skyline::EclipseField(scene.Place(), skyline::ParseUtcTime(this->Time), scene.MeanHeight())
+    ? skyline::EclipseField(
+        driver.Input().Place(), skyline::ParseUtcTime(this->Time), driver.Input().BaseHeight())
     : skyline::EclipseField();
   const double radius = this->UseTime && this->TrueRadius ? sun.Radius() : this->SunAngularRadius;
   if (!(radius >= 0.0 && radius < 90.0))
@@ -75,20 +78,16 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
   double greatest = 0.0;
   sun.AzimuthBounds(firstAzimuth, lastAzimuth);
   sun.ElevationBounds(least, greatest);
-  std::vector<double> azimuths = skyline::SunAzimuths(firstAzimuth * radians, lastAzimuth * radians,
-    least * radians, greatest * radians, radius * radians);
-  for (double& azimuth : azimuths)
-  {
-    azimuth *= skyline::DegreesPerRadian;
-  }
+  const std::vector<double> azimuths = skyline::SunAzimuths(firstAzimuth * radians,
+    lastAzimuth * radians, least * radians, greatest * radians, radius * radians);
   this->SearchedAzimuths = static_cast<int>(azimuths.size());
 
-  scene.DemandFloats("shadows of the sun", sun.Same() ? 2 : 3, azimuths);
-  vtkFloatArray* visibility = scene.AddArray(output, "SunVisibility");
+  driver.DemandFloats("shadows of the sun", sun.Same() ? 2 : 3, azimuths);
+  vtkFloatArray* visibility = skyline::AddPostArray(output, "SunVisibility");
   const skyline::PostBuffer buffer{ visibility->GetPointer(0), 1 };
-  const skyline::Grid& posts = scene.Posts();
+  const skyline::Grid& posts = driver.Input().Posts();
   const double darkening = this->LimbDarkening ? skyline::EddingtonLimbDarkening : 0.0;
-  const auto run = [&](skyline::SunAccumulator&& disc) { return scene.Run(azimuths, 0.0, disc); };
+  const auto run = [&](skyline::SunAccumulator&& disc) { return driver.Run(azimuths, 0.0, disc); };
   bool finished = false;
   if (!sun.Same())
   {
@@ -110,7 +109,7 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData
     {
       TakeEclipse(eclipse, posts, darkening, visibility->GetPointer(0));
     }
-    scene.BlankMissing(visibility);
+    skyline::BlankMissing(driver.Input().Field(), visibility);
   }
   return finished;
 }

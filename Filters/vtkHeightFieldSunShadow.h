@@ -78,7 +78,7 @@ protected:
   vtkHeightFieldSunShadow() = default;
   ~vtkHeightFieldSunShadow() override = default;
 
-  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+  bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
   double SunAzimuth = 315.0;
   double SunElevation = 45.0;

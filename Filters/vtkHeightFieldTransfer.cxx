@@ -5,9 +5,9 @@
 
 vtkStandardNewMacro(vtkHeightFieldTransfer);
 
-bool vtkHeightFieldTransfer::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+bool vtkHeightFieldTransfer::Compute(skyline::HorizonDriver& driver, vtkImageData* output)
 {
-  return this->Project(scene, output, "TransferSH", true);
+  return this->Project(driver, output, "TransferSH", true);
 }
 
 void vtkHeightFieldTransfer::PrintSelf(ostream& os, vtkIndent indent)

@@ -27,7 +27,7 @@ protected:
   vtkHeightFieldTransfer() = default;
   ~vtkHeightFieldTransfer() override = default;
 
-  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+  bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
 private:
   vtkHeightFieldTransfer(const vtkHeightFieldTransfer&) = delete;

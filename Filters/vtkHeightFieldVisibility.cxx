@@ -5,7 +5,8 @@
 #include "HarmonicBands.h"
 #include "Harmonics/KeyLight.h"
 #include "Harmonics/VisibilityAccumulator.h"
-#include "HorizonScene.h"
+#include "HorizonDriver.h"
+#include "PostArrays.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
@@ -20,10 +21,10 @@ vtkStandardNewMacro(vtkHeightFieldVisibility);
 namespace
 {
 
-// Degrees clockwise from grid north.
-std::vector<double> AzimuthsInDegrees(double azimuth, double width, int count)
+// Radians clockwise from grid north, of a swath in degrees.
+std::vector<double> AzimuthsInside(double azimuth, double width, int count)
 {
-  std::vector<double> azimuths = skyline::EvenAzimuths(count); // checks the count
+  const std::vector<double> azimuths = skyline::EvenAzimuths(count); // checks the count
   if (!std::isfinite(azimuth))
   {
     throw std::invalid_argument("the swath's azimuth is no number; give degrees");
@@ -37,11 +38,7 @@ std::vector<double> AzimuthsInDegrees(double azimuth, double width, int count)
   {
     const skyline::Swath swath{ azimuth * skyline::RadiansPerDegree,
       width * skyline::RadiansPerDegree };
-    azimuths = skyline::AzimuthsOf(swath, count);
-    for (double& value : azimuths)
-    {
-      value *= skyline::DegreesPerRadian;
-    }
+    return skyline::AzimuthsOf(swath, count);
   }
   return azimuths;
 }
@@ -57,21 +54,21 @@ void vtkHeightFieldVisibility::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "SwathWidth: " << this->SwathWidth << "\n";
 }
 
-bool vtkHeightFieldVisibility::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+bool vtkHeightFieldVisibility::Compute(skyline::HorizonDriver& driver, vtkImageData* output)
 {
-  return this->Project(scene, output, "VisibilitySH", false);
+  return this->Project(driver, output, "VisibilitySH", false);
 }
 
 bool vtkHeightFieldVisibility::Project(
-  skyline::HorizonScene& scene, vtkImageData* output, const char* name, bool withCosine)
+  skyline::HorizonDriver& driver, vtkImageData* output, const char* name, bool withCosine)
 {
   skyline::CheckHarmonicBands(this->NumberOfBands);
   const std::vector<double> azimuths =
-    AzimuthsInDegrees(this->SwathAzimuth, this->SwathWidth, this->NumberOfAzimuths);
+    AzimuthsInside(this->SwathAzimuth, this->SwathWidth, this->NumberOfAzimuths);
   const double width =
     this->SwathWidth * skyline::RadiansPerDegree / static_cast<double>(azimuths.size());
   // The sums, the azimuths of a group that wait, the gradients.
-  scene.DemandFloats("spherical harmonics",
+  driver.DemandFloats("spherical harmonics",
     skyline::HarmonicCount(this->NumberOfBands) + skyline::WedgeGroup - 1 + (withCosine ? 2 : 0),
     azimuths);
 
@@ -80,27 +77,28 @@ bool vtkHeightFieldVisibility::Project(
   if (withCosine)
   {
     gradients.resize(2 * posts);
-    scene.FillGradients(gradients.data(), gradients.data() + posts);
+    driver.Input().FillGradients(gradients.data(), gradients.data() + posts);
   }
-  vtkFloatArray* array = scene.AddArray(output, name, skyline::HarmonicCount(this->NumberOfBands));
-  if (!this->Sum(scene, azimuths, width, withCosine ? gradients.data() : nullptr,
+  vtkFloatArray* array =
+    skyline::AddPostArray(output, name, skyline::HarmonicCount(this->NumberOfBands));
+  if (!this->Sum(driver, azimuths, width, withCosine ? gradients.data() : nullptr,
         withCosine ? gradients.data() + posts : nullptr, array->GetPointer(0)))
   {
     return false;
   }
-  scene.BlankMissing(array);
+  skyline::BlankMissing(driver.Input().Field(), array);
   return true;
 }
 
-bool vtkHeightFieldVisibility::Sum(skyline::HorizonScene& scene,
+bool vtkHeightFieldVisibility::Sum(skyline::HorizonDriver& driver,
   const std::vector<double>& azimuths, double width, const float* east, const float* north,
   float* values)
 {
   skyline::HarmonicBuffers buffers;
-  buffers.Columns = scene.Posts().Columns;
-  buffers.Rows = scene.Posts().Rows;
+  buffers.Columns = driver.Input().Posts().Columns;
+  buffers.Rows = driver.Input().Posts().Rows;
   buffers.Bands = this->NumberOfBands;
   buffers.Values = values;
   skyline::VisibilityAccumulator sky(buffers, east, north);
-  return scene.Run(azimuths, width, sky);
+  return driver.Run(azimuths, width, sky);
 }

@@ -56,16 +56,16 @@ protected:
   vtkHeightFieldVisibility() = default;
   ~vtkHeightFieldVisibility() override = default;
 
-  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+  bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
   /// Feeds the sky of all posts, times their cosine or not, to an array of the name.
   bool Project(
-    skyline::HorizonScene& scene, vtkImageData* output, const char* name, bool withCosine);
+    skyline::HorizonDriver& driver, vtkImageData* output, const char* name, bool withCosine);
 
   /// Sums the sky over azimuths (degrees, each standing for `width` radians) into NumberOfBands^2
   /// values a post; east, north: the posts' gradients, or null for no cosine. False if stopped.
-  virtual bool Sum(skyline::HorizonScene& scene, const std::vector<double>& azimuths, double width,
-    const float* east, const float* north, float* values);
+  virtual bool Sum(skyline::HorizonDriver& driver, const std::vector<double>& azimuths,
+    double width, const float* east, const float* north, float* values);
 
   int NumberOfBands = 4;
   int NumberOfAzimuths = 32;

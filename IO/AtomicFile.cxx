@@ -62,12 +62,6 @@ std::string FolderOf(const std::string& path)
   return slash == 0 ? "/" : path.substr(0, slash);
 }
 
-std::string TemporaryFolder()
-{
-  const char* folder = std::getenv("TMPDIR");
-  return RealPath(folder && *folder ? folder : "/tmp");
-}
-
 /// The extension with its dot, or "" if the text after the last dot does not look like one.
 std::string ExtensionOf(const std::string& path)
 {
@@ -181,7 +175,7 @@ void AtomicFile::Find()
 
 void AtomicFile::Reserve()
 {
-  const std::string temporary = TemporaryFolder();
+  const std::string temporary = RealPath(TemporaryFolder());
   const std::string folder = this->Device ? temporary : RealPath(FolderOf(this->Real));
   SweepTemporaries(folder);
   if (folder != temporary)

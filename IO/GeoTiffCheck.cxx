@@ -4,6 +4,7 @@
 #include "AtomicFile.h"
 #include "BandRows.h"
 #include "Batches.h"
+#include "GdalDataset.h"
 #include "GdalErrors.h"
 
 #include <cpl_conv.h>
@@ -34,12 +35,6 @@ constexpr double JobBytes = 4.0 * 1024 * 1024;
 /// rounding.
 constexpr double PlaceSlack = 1e-6;
 
-struct Closer
-{
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, Closer>;
-
 class GeoTiffChecker
 {
 public:
@@ -53,7 +48,7 @@ public:
   void Check(const std::function<void(double)>& report) const
   {
     const GdalErrors errors;
-    const Dataset dataset = this->Open(errors);
+    const GdalDataset dataset = this->Open(errors);
     this->CheckDescription(*dataset);
     GDALRasterBand* band = dataset->GetRasterBand(1);
     int blockColumns = 1, blockRows = 1;
@@ -99,13 +94,13 @@ private:
     this->File.Fail(what + " is not what was written; the memory or the disk may be at fault");
   }
 
-  Dataset Open(const GdalErrors& errors) const
+  GdalDataset Open(const GdalErrors& errors) const
   {
     // Each thread opens the file. Without this option GDAL would list the folder, which may be
     // large.
     const CPLConfigOptionSetter noListing("GDAL_DISABLE_READDIR_ON_OPEN", "TRUE", false);
     const std::array<const char*, 2> drivers{ { "GTiff", nullptr } };
-    Dataset dataset(GDALDataset::Open(this->File.GetPath().c_str(),
+    GdalDataset dataset(GDALDataset::Open(this->File.GetPath().c_str(),
       GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, drivers.data()));
     if (!dataset || errors.Any())
     {
@@ -171,7 +166,7 @@ private:
   void Compare(int row, int count, int first, int bands) const
   {
     const GdalErrors errors;
-    Dataset dataset = this->Borrow(errors);
+    GdalDataset dataset = this->Borrow(errors);
     const int columns = this->Content.Columns;
     const std::size_t size = static_cast<std::size_t>(columns) * static_cast<std::size_t>(count);
     std::vector<T> wanted(size), stored(size);
@@ -197,13 +192,13 @@ private:
 
   /// An open file for one job. Open files are reused, because opening a file of thousands of bands
   /// takes longer than reading one band.
-  Dataset Borrow(const GdalErrors& errors) const
+  GdalDataset Borrow(const GdalErrors& errors) const
   {
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
       if (!this->Idle.empty())
       {
-        Dataset dataset = std::move(this->Idle.back());
+        GdalDataset dataset = std::move(this->Idle.back());
         this->Idle.pop_back();
         return dataset;
       }
@@ -237,7 +232,7 @@ private:
   const GeoTiffContent& Content;
   const AtomicFile& File;
   mutable std::mutex Mutex;
-  mutable std::vector<Dataset> Idle; ///< open files that no job uses now
+  mutable std::vector<GdalDataset> Idle; ///< open files that no job uses now
 };
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "Batches.h"
 #include "CheckedVsi.h"
 #include "Data/ImageGeoreference.h"
+#include "GdalDataset.h"
 #include "GdalErrors.h"
 #include "GeoTiffCheck.h"
 #include "GeoTiffRows.h"
@@ -50,6 +51,9 @@ constexpr double PartBytes = 2.0 * 1024 * 1024;
 /// A nodata value whose magnitude is greater than this cannot be an angle, a fraction or an
 /// irradiance.
 constexpr double LargestResult = 1000.0;
+/// What the bar shows when all is written and only the check is left.
+constexpr double WrittenShare = 0.9;
+
 constexpr double DefaultNodata = -9999.0;
 
 GDALDataType TypeOf(vtkDataArray* array)
@@ -176,7 +180,7 @@ public:
   {
     this->ChooseNodata();
     const bool cloud = this->Content.CloudOptimized;
-    this->ProgressShare = cloud ? 0.4 : 0.9;
+    this->ProgressShare = cloud ? 0.4 : WrittenShare;
     const bool narrow = GDALGetDataTypeSizeBytes(this->Type) <= 2 || this->Type == GDT_Float32;
     this->Buffer = narrow ? GDT_Float32 : GDT_Float64;
     const std::string path =
@@ -192,17 +196,11 @@ public:
     {
       this->Optimize(path);
     }
-    const double begin = 0.9;
     CheckGeoTiff({ &this->Content, this->Buffer, this->Nodata, this->DeclareNodata }, this->File,
-      [&](double part) { this->Report(begin + (1.0 - begin) * part); });
+      [&](double part) { this->Report(WrittenShare + (1.0 - WrittenShare) * part); });
   }
 
 private:
-  struct Closer
-  {
-    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-  };
-
   /// Throws if a write failed (which GDAL is not told) or if GDAL reported a failure (which its
   /// return values need not show).
   void Check(bool good) const
@@ -474,7 +472,7 @@ private:
 
   void Optimize(const std::string& path)
   {
-    const std::unique_ptr<GDALDataset, Closer> source(
+    const GdalDataset source(
       GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR));
     this->Check(source != nullptr);
     CPLStringList options;
@@ -488,7 +486,7 @@ private:
       this->Check(true);
       this->Report(part);
     };
-    ProgressBridge progress{ report, this->ProgressShare, 0.9, nullptr };
+    ProgressBridge progress{ report, this->ProgressShare, WrittenShare, nullptr };
     const std::string target = CheckedVsi::NameOf(this->File.GetPath());
     this->Dataset.reset(this->Driver("COG")->CreateCopy(
       target.c_str(), source.get(), FALSE, options.List(), &ProgressBridge::Call, &progress));
@@ -505,7 +503,7 @@ private:
   const AtomicFile& File;
   CheckedVsi Writes;
   const std::function<void(double)>& Report;
-  std::unique_ptr<GDALDataset, Closer> Dataset;
+  GdalDataset Dataset;
   GDALDataType Type = GDT_Unknown;
   GDALDataType Buffer = GDT_Float32; ///< type of GDAL's input: the narrower one that holds all
   bool Real = false;

@@ -3,6 +3,7 @@
 
 #include "AtomicFile.h"
 #include "BandRows.h"
+#include "GdalDataset.h"
 #include "GdalErrors.h"
 
 #include <cpl_string.h>
@@ -19,12 +20,6 @@ namespace skyline
 
 namespace
 {
-
-struct Closer
-{
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, Closer>;
 
 /// The name of a file in memory. The destructor removes the file.
 struct MemoryFile
@@ -83,7 +78,7 @@ private:
     }
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
     this->Check(driver != nullptr);
-    Dataset dataset(driver->Create(
+    GdalDataset dataset(driver->Create(
       this->Memory.Name.c_str(), columns, count, 1, this->Way.Stored, options.List()));
     this->Check(dataset != nullptr);
     this->Check(dataset->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, columns, count, rows, columns,
@@ -102,7 +97,7 @@ private:
 
   void FindBlocks(PackedRows& packed, int count) const
   {
-    const Dataset dataset(
+    const GdalDataset dataset(
       GDALDataset::Open(this->Memory.Name.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR));
     this->Check(dataset != nullptr);
     GDALRasterBand* band = dataset->GetRasterBand(1);

@@ -432,6 +432,25 @@ void RasterSource::DoubtHeights(const HeightCensus& census)
   }
 }
 
+void RasterSource::ReadStrip(
+  int column, int row, int columns, int rows, void* heights, unsigned char* mask)
+{
+  CPLErr failed = this->Band->RasterIO(GF_Read, column, row, columns, rows, heights, columns, rows,
+    GdalTypeOf(this->VtkType), 0, 0, nullptr);
+  if (failed == CE_None && this->HasMask)
+  {
+    failed = this->Band->GetMaskBand()->RasterIO(
+      GF_Read, column, row, columns, rows, mask, columns, rows, GDT_Byte, 0, 0, nullptr);
+  }
+  if (failed != CE_None || this->Errors.Any())
+  {
+    this->CheckRefusal();
+    throw IoFailure(vtkErrorCode::PrematureEndOfFileError,
+      "cannot read row " + std::to_string(row) + " of '" + this->File +
+        "': " + this->Errors.First() + "; the file may be damaged, fetch it again");
+  }
+}
+
 template <typename T>
 void RasterSource::ReadAs(const PostWindow& window, T* heights, const ProgressFunction& progress)
 {
@@ -467,20 +486,7 @@ void RasterSource::ReadAs(const PostWindow& window, T* heights, const ProgressFu
     const int end = static_cast<int>(
       std::min<std::int64_t>({ fileEnd, static_cast<std::int64_t>(row) + stripRows, blockEnd }));
     const int rows = end - row;
-    CPLErr failed = this->Band->RasterIO(GF_Read, fileColumn, row, window.Columns, rows,
-      strip.data(), window.Columns, rows, GdalTypeOf(this->VtkType), 0, 0, nullptr);
-    if (failed == CE_None && this->HasMask)
-    {
-      failed = this->Band->GetMaskBand()->RasterIO(GF_Read, fileColumn, row, window.Columns, rows,
-        mask.data(), window.Columns, rows, GDT_Byte, 0, 0, nullptr);
-    }
-    if (failed != CE_None || this->Errors.Any())
-    {
-      this->CheckRefusal();
-      throw IoFailure(vtkErrorCode::PrematureEndOfFileError,
-        "cannot read row " + std::to_string(row) + " of '" + this->File +
-          "': " + this->Errors.First() + "; the file may be damaged, fetch it again");
-    }
+    this->ReadStrip(fileColumn, row, window.Columns, rows, strip.data(), mask.data());
 
     const std::size_t count = columns * static_cast<std::size_t>(rows);
     anyHeight =

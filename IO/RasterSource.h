@@ -5,6 +5,7 @@
 #define skyline_RasterSource_h
 
 #include "CoordinateSystem.h"
+#include "GdalDataset.h"
 #include "GdalErrors.h"
 #include "Geo/Georeference.h"
 #include "HeightField/HeightCensus.h"
@@ -76,11 +77,6 @@ public:
   void Read(const PostWindow& window, void* heights, const ProgressFunction& progress);
 
 private:
-  struct Closer
-  {
-    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-  };
-
   [[noreturn]] void Refuse(const std::string& reason) const;
   void Open(int band);
   void FailToOpen();
@@ -92,6 +88,7 @@ private:
   void ReadValues();
   template <typename T>
   void ReadAs(const PostWindow& window, T* heights, const ProgressFunction& progress);
+  void ReadStrip(int column, int row, int columns, int rows, void* heights, unsigned char* mask);
   template <typename T, typename Missing>
   bool Convert(T* heights, const unsigned char* mask, std::size_t count, Missing& missing,
     HeightCensus& census);
@@ -107,7 +104,7 @@ private:
   SourceGuard Guard;  // before Dataset, which opens its sources only when it reads them
   std::vector<double> FurtherNodata;
   std::vector<Doubt> Doubts;
-  std::unique_ptr<GDALDataset, Closer> Dataset;
+  GdalDataset Dataset;
   GDALRasterBand* Band = nullptr;
   int Columns = 0, Rows = 0;
   int VtkType = 0;

@@ -2,6 +2,7 @@
 #include "StreamSpool.h"
 
 #include "IoFailure.h"
+#include "Temporaries.h"
 
 #include "vtkErrorCode.h"
 
@@ -69,8 +70,7 @@ private:
 /// Opens a file that is removed when its descriptor is closed.
 int OpenTemporary()
 {
-  const char* folder = std::getenv("TMPDIR");
-  const std::string where = folder && *folder ? folder : "/tmp";
+  const std::string where = TemporaryFolder();
   int file = -1;
 #ifdef O_TMPFILE
   file = ::open(where.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <climits>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <mutex>
@@ -425,6 +426,12 @@ void Temporary::Remove()
   }
   this->File = -1;
   this->Slot = -1;
+}
+
+std::string TemporaryFolder()
+{
+  const char* folder = std::getenv("TMPDIR");
+  return folder && *folder ? folder : "/tmp";
 }
 
 void SweepTemporaries(const std::string& folder) noexcept

@@ -85,6 +85,9 @@ private:
 /// nothing is removed.
 void SweepTemporaries(const std::string& folder) noexcept;
 
+/// TMPDIR, or /tmp without it.
+std::string TemporaryFolder();
+
 /// Removes every temporary of this process and the files that GDAL puts beside it. A signal handler
 /// may call it. The program must end afterwards, because the writers do not know that their files
 /// are gone.

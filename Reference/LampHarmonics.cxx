@@ -96,7 +96,7 @@ void FindLampHorizons(const LampTerrain& terrain, const Grid& grid, Surface shap
   const Lamp& lamp, double azimuth, std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd, float* slopes)
 {
   const LampWalk walk(terrain, grid, shape, sink);
-  const Direction direction = DirectionOfAzimuth(azimuth * DegreesPerRadian);
+  const Direction direction = DirectionOfAzimuth(azimuth);
   const LampAzimuth along{ direction.East, direction.North };
   Receivers receivers(terrain.Field());
   for (std::ptrdiff_t row = rowBegin; row < rowEnd; ++row)

@@ -53,7 +53,7 @@ inline HeightField FieldOf(const oracle::OracleField& field)
 inline std::vector<float> Slopes(
   HorizonMethod& method, const Grid& grid, double azimuth, std::ptrdiff_t chunk = 64)
 {
-  method.SetAzimuth(grid, azimuth);
+  method.SetAzimuth(grid, azimuth * RadiansPerDegree);
   method.Prepare(0, method.PrepareCount());
   const RayFrame& frame = method.Frame();
   const std::ptrdiff_t stride = (frame.Lanes + 31) / 32 * 32;

@@ -2,7 +2,7 @@
 #include "GpuFilter.h"
 
 #include "Harmonics/SphericalHarmonics.h"
-#include "HorizonScene.h"
+#include "HorizonDriver.h"
 
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -32,13 +32,13 @@ bool GpuFilter::Ready()
 }
 
 bool GpuFilter::Attempt(
-  vtkObject* filter, HorizonScene& scene, const std::function<void()>& compute)
+  vtkObject* filter, HorizonDriver& driver, const std::function<void()>& compute)
 {
   this->OnDevice = this->Filled = this->OneTile = false;
   // The graphics processor handles spacings that vary by row. Other distorted maps are left to the
   // host.
-  const bool rows = scene.Ground().Uniform() || scene.Ground().ByRows();
-  if (!rows || !GpuHarmonics::Unknown(scene.UsedSettings()).empty())
+  const bool rows = driver.Input().Ground().Uniform() || driver.Input().Ground().ByRows();
+  if (!rows || !GpuHarmonics::Unknown(driver.UsedSettings()).empty())
   {
     return false;
   }
@@ -58,7 +58,7 @@ bool GpuFilter::Attempt(
   try
   {
     this->Harmonics->Times.Wanted = this->Timed;
-    this->OneTile = this->Harmonics->FitsOneTile(scene);
+    this->OneTile = this->Harmonics->FitsOneTile(driver);
     compute();
     this->OnDevice = true;
     this->Told.clear();
@@ -74,10 +74,10 @@ bool GpuFilter::Attempt(
 }
 
 bool GpuFilter::Run(
-  vtkObject* filter, HorizonScene& scene, GpuHarmonics::Task task, bool readBack, bool& finished)
+  vtkObject* filter, HorizonDriver& driver, GpuHarmonics::Task task, bool readBack, bool& finished)
 {
   this->Values.clear();
-  return this->Attempt(filter, scene,
+  return this->Attempt(filter, driver,
     [&]()
     {
       if (!readBack && this->OneTile)
@@ -86,20 +86,20 @@ bool GpuFilter::Run(
       }
       else if (!task.Values)
       {
-        const std::ptrdiff_t posts = scene.Posts().Columns * scene.Posts().Rows;
+        const std::ptrdiff_t posts = driver.Input().Posts().Columns * driver.Input().Posts().Rows;
         this->Values.resize(static_cast<std::size_t>(posts * HarmonicCount(task.Bands)));
         task.Values = this->Values.data();
       }
       this->Filled = task.Values != nullptr;
-      finished = this->Harmonics->Run(scene, task);
+      finished = this->Harmonics->Run(driver, task);
     });
 }
 
-bool GpuFilter::Store(vtkObject* filter, HorizonScene& scene, const std::vector<double>& azimuths,
+bool GpuFilter::Store(vtkObject* filter, HorizonDriver& driver, const std::vector<double>& azimuths,
   float* degrees, bool& finished)
 {
   return this->Attempt(
-    filter, scene, [&]() { finished = this->Harmonics->Store(scene, azimuths, degrees); });
+    filter, driver, [&]() { finished = this->Harmonics->Store(driver, azimuths, degrees); });
 }
 
 vtkTextureObject* GpuFilter::Image(int index) const

@@ -40,11 +40,11 @@ public:
   /// filter reports it once.
   /// task.Values (or Values if it is null) is filled if readBack is true or if the field does not
   /// fit into one texture.
-  bool Run(
-    vtkObject* filter, HorizonScene& scene, GpuHarmonics::Task task, bool readBack, bool& finished);
+  bool Run(vtkObject* filter, HorizonDriver& driver, GpuHarmonics::Task task, bool readBack,
+    bool& finished);
 
   /// The same for horizons, in degrees.
-  bool Store(vtkObject* filter, HorizonScene& scene, const std::vector<double>& azimuths,
+  bool Store(vtkObject* filter, HorizonDriver& driver, const std::vector<double>& azimuths,
     float* degrees, bool& finished);
 
   /// Removes an array from the output if its values were not read back.
@@ -57,7 +57,7 @@ public:
   bool Ready();
 
 private:
-  bool Attempt(vtkObject* filter, HorizonScene& scene, const std::function<void()>& compute);
+  bool Attempt(vtkObject* filter, HorizonDriver& driver, const std::function<void()>& compute);
   void Tell(vtkObject* filter, const std::string& reason);
 
   std::unique_ptr<GpuHarmonics> Harmonics;

@@ -4,7 +4,7 @@
 #include "GpuWedgeText.h"
 #include "GpuWedgeWeights.h"
 #include "Harmonics/SphericalHarmonics.h"
-#include "HorizonScene.h"
+#include "HorizonDriver.h"
 
 #include "vtkTextureObject.h"
 
@@ -94,10 +94,10 @@ std::string GpuHarmonics::Unknown(const HorizonSettings& settings)
   return {};
 }
 
-bool GpuHarmonics::FitsOneTile(HorizonScene& scene)
+bool GpuHarmonics::FitsOneTile(HorizonDriver& driver)
 {
-  const HorizonSettings& settings = scene.UsedSettings();
-  const Grid& grid = scene.Posts();
+  const HorizonSettings& settings = driver.UsedSettings();
+  const Grid& grid = driver.Input().Posts();
   const GpuState state(this->Device);
   if (!this->Horizons || this->Method != settings.Method)
   {
@@ -108,11 +108,11 @@ bool GpuHarmonics::FitsOneTile(HorizonScene& scene)
     const Lap lap(*this, this->Times.Load);
     if (settings.Method != HorizonMethodKind::Pyramid)
     {
-      scene.Transpose();
+      driver.Input().Transpose();
     }
     const bool pyramid = settings.Method == HorizonMethodKind::Pyramid;
-    const std::uint64_t heights = pyramid ? scene.Fingerprint() : 0;
-    scene.PyramidBuilds += this->Horizons->Load(scene.PreparedField(), heights, settings) ? 1 : 0;
+    const std::uint64_t heights = pyramid ? driver.Input().Checksum() : 0;
+    driver.PyramidBuilds += this->Horizons->Load(driver.Input().Field(), heights, settings) ? 1 : 0;
   }
   this->Side = std::min(this->Horizons->TileSide(), this->Device.ImageLimit());
   this->Side = this->Limits.Side > 0 ? std::min(this->Side, this->Limits.Side) : this->Side;
@@ -139,33 +139,33 @@ std::vector<GpuArea> GpuHarmonics::Tiles(const Grid& grid) const
   return tiles;
 }
 
-bool GpuHarmonics::Run(HorizonScene& scene, const Task& task)
+bool GpuHarmonics::Run(HorizonDriver& driver, const Task& task)
 {
   const GpuState state(this->Device);
   double done = 0.0;
-  const std::vector<GpuArea> tiles = this->Tiles(scene.Posts());
+  const std::vector<GpuArea> tiles = this->Tiles(driver.Input().Posts());
   for (const GpuArea& tile : tiles)
   {
     const double before = done;
     done += 1.0 / static_cast<double>(tiles.size());
-    if (!this->SumTile(scene, task, tile, before, done))
+    if (!this->SumTile(driver, task, tile, before, done))
     {
       return false;
     }
     if (task.Values)
     {
       const Lap lap(*this, this->Times.Read);
-      this->ReadTile(scene, task, tile);
+      this->ReadTile(driver, task, tile);
     }
   }
   return true;
 }
 
-bool GpuHarmonics::Store(HorizonScene& scene, const std::vector<double>& azimuths, float* degrees)
+bool GpuHarmonics::Store(HorizonDriver& driver, const std::vector<double>& azimuths, float* degrees)
 {
   const GpuState state(this->Device);
-  const std::vector<GpuArea> tiles = this->Tiles(scene.Posts());
-  const std::ptrdiff_t columns = scene.Posts().Columns;
+  const std::vector<GpuArea> tiles = this->Tiles(driver.Input().Posts());
+  const std::ptrdiff_t columns = driver.Input().Posts().Columns;
   const std::size_t count = azimuths.size();
   double done = 0.0;
   std::vector<float> texels;
@@ -176,13 +176,13 @@ bool GpuHarmonics::Store(HorizonScene& scene, const std::vector<double>& azimuth
     for (std::size_t first = 0; first < count; first += GpuHorizons::Group)
     {
       const std::size_t here = std::min<std::size_t>(GpuHorizons::Group, count - first);
-      if (scene.Progress && !scene.Progress(done / static_cast<double>(tiles.size() * count)))
+      if (driver.Progress && !driver.Progress(done / static_cast<double>(tiles.size() * count)))
       {
         return false;
       }
       done += static_cast<double>(here);
       const auto begin = azimuths.begin() + static_cast<std::ptrdiff_t>(first);
-      this->FindRows(scene, tile, { begin, begin + static_cast<std::ptrdiff_t>(here) }, angles);
+      this->FindRows(driver, tile, { begin, begin + static_cast<std::ptrdiff_t>(here) }, angles);
       const Lap lap(*this, this->Times.Read);
       this->Device.Read(angles, { 0, 0, tile.Width, tile.Height }, texels.data());
       const float* texel = texels.data();
@@ -206,19 +206,17 @@ bool GpuHarmonics::Store(HorizonScene& scene, const std::vector<double>& azimuth
   return true;
 }
 
-void GpuHarmonics::FindRows(HorizonScene& scene, const GpuArea& tile,
+void GpuHarmonics::FindRows(HorizonDriver& driver, const GpuArea& tile,
   const std::vector<double>& azimuths, vtkTextureObject* angles)
 {
   const Lap lap(*this, this->Times.Horizons);
-  for (const RowBand& band : scene.BandsOfRows())
+  for (const RowBand& band : driver.Input().Bands())
   {
     const int from = std::max(static_cast<int>(band.RowBegin), tile.Y);
     const int to = std::min(static_cast<int>(band.RowEnd), tile.Y + tile.Height);
     if (from < to)
     {
-      Grid grid = scene.Posts();
-      grid.SpacingX = band.SpacingX;
-      grid.SpacingY = band.SpacingY;
+      const Grid grid = WithSpacing(driver.Input().Posts(), band);
       this->Horizons->Find(
         tile, { 0, from - tile.Y, tile.Width, to - from }, grid, azimuths, angles);
     }
@@ -274,9 +272,9 @@ void GpuHarmonics::Prepare(const Task& task, const GpuArea& tile)
 }
 
 bool GpuHarmonics::SumTile(
-  HorizonScene& scene, const Task& task, const GpuArea& tile, double begin, double end)
+  HorizonDriver& driver, const Task& task, const GpuArea& tile, double begin, double end)
 {
-  this->Columns = scene.Posts().Columns;
+  this->Columns = driver.Input().Posts().Columns;
   {
     const Lap lap(*this, this->Times.Load);
     this->Prepare(task, tile);
@@ -287,15 +285,15 @@ bool GpuHarmonics::SumTile(
   for (std::size_t first = 0; first < count; first += GpuHorizons::Group)
   {
     const std::size_t last = std::min(first + GpuHorizons::Group, count);
-    if (scene.Progress &&
-      !scene.Progress(
+    if (driver.Progress &&
+      !driver.Progress(
         begin + (end - begin) * static_cast<double>(first) / static_cast<double>(count)))
     {
       return false;
     }
     const std::vector<double> group(azimuths.begin() + static_cast<std::ptrdiff_t>(first),
       azimuths.begin() + static_cast<std::ptrdiff_t>(last));
-    this->FindRows(scene, tile, group, this->Angles);
+    this->FindRows(driver, tile, group, this->Angles);
     const Lap lap(*this, this->Times.Wedges);
     const std::vector<float> texels = WedgeTexels(task.Bands, group, task.Width);
     const GpuTexture weights =
@@ -333,9 +331,9 @@ bool GpuHarmonics::SumTile(
   return true;
 }
 
-void GpuHarmonics::ReadTile(HorizonScene& scene, const Task& task, const GpuArea& tile)
+void GpuHarmonics::ReadTile(HorizonDriver& driver, const Task& task, const GpuArea& tile)
 {
-  const std::ptrdiff_t columns = scene.Posts().Columns;
+  const std::ptrdiff_t columns = driver.Input().Posts().Columns;
   const int count = HarmonicCount(task.Bands);
   std::vector<float> texels(
     static_cast<std::size_t>(4 * tile.Width) * static_cast<std::size_t>(tile.Height));

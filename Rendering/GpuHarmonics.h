@@ -13,7 +13,7 @@
 namespace skyline
 {
 
-class HorizonScene;
+class HorizonDriver;
 
 /// Seconds that each pass took. Measured only if Wanted is true, because the program must then wait
 /// for the end of each pass.
@@ -45,14 +45,14 @@ public:
 
   /// Loads the surface of the scene. Returns whether the field fits into one texture. To be called
   /// before each Run.
-  bool FitsOneTile(HorizonScene& scene);
+  bool FitsOneTile(HorizonDriver& driver);
 
   /// Returns false if the run was cancelled. Throws std::runtime_error with a reason of one line.
-  bool Run(HorizonScene& scene, const Task& task);
+  bool Run(HorizonDriver& driver, const Task& task);
 
   /// Stores the horizons of all posts in degrees, one component per azimuth (degrees): the
   /// counterpart of StoreAccumulator.
-  bool Store(HorizonScene& scene, const std::vector<double>& azimuths, float* degrees);
+  bool Store(HorizonDriver& driver, const std::vector<double>& azimuths, float* degrees);
 
   /// After a run without tiles: image i holds the coefficients 4 i to 4 i + 3 of each post.
   const std::vector<GpuTexture>& Images() const { return this->Sums; }
@@ -69,12 +69,12 @@ public:
 private:
   class Lap;
   bool SumTile(
-    HorizonScene& scene, const Task& task, const GpuArea& tile, double begin, double end);
+    HorizonDriver& driver, const Task& task, const GpuArea& tile, double begin, double end);
   std::vector<GpuArea> Tiles(const Grid& grid) const;
-  void FindRows(HorizonScene& scene, const GpuArea& tile, const std::vector<double>& azimuths,
+  void FindRows(HorizonDriver& driver, const GpuArea& tile, const std::vector<double>& azimuths,
     vtkTextureObject* angles);
   void Prepare(const Task& task, const GpuArea& tile);
-  void ReadTile(HorizonScene& scene, const Task& task, const GpuArea& tile);
+  void ReadTile(HorizonDriver& driver, const Task& task, const GpuArea& tile);
 
   GpuDevice& Device;
   GpuLimits Limits;

@@ -43,7 +43,7 @@ public:
 
   /// Finds the horizons (radians) of the posts of a tile, in its rows area.Y to area.Y +
   /// area.Height - 1, and writes them to the same places of an image that is as large as the tile.
-  /// tile.X, tile.Y: the first post of the tile. azimuths: one to four, in degrees; the values of
+  /// tile.X, tile.Y: the first post of the tile. azimuths: one to four, in radians; the values of
   /// the unused channels are arbitrary. grid: the grid with the spacing of these rows.
   virtual void Find(const GpuArea& tile, const GpuArea& area, const Grid& grid,
     const std::vector<double>& azimuths, vtkTextureObject* horizons) = 0;

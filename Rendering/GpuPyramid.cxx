@@ -110,6 +110,30 @@ void GpuPyramid::Resize(const HeightField& field, const HorizonSettings& setting
   this->Scratch = this->Receivers = this->Casters = nullptr;
   this->Host = nullptr;
 
+  this->BuildPasses(settings);
+  int side = std::min(this->Device.StackLimit(), this->Device.ImageLimit());
+  side = this->Limits.Side > 0 ? std::min(side, this->Limits.Side) : side;
+  const int layers = levels - this->First;
+  const auto bytes = static_cast<std::size_t>(grid.Columns * grid.Rows) *
+    static_cast<std::size_t>(layers * this->Components) * sizeof(float);
+  const std::ptrdiff_t longest = std::max(grid.Columns, grid.Rows);
+  this->Whole =
+    longest <= side && layers <= this->Device.StackLimit() && bytes <= this->Limits.Memory;
+  if (this->Whole)
+  {
+    this->Side = static_cast<int>(longest);
+    this->MakeWholeImages(grid, layers);
+  }
+  else
+  {
+    this->MakeTileImages(side, layers);
+  }
+  this->Columns = grid.Columns;
+  this->Rows = grid.Rows;
+}
+
+void GpuPyramid::BuildPasses(const HorizonSettings& settings)
+{
   if (!this->Spline)
   {
     this->Decimate =
@@ -123,58 +147,50 @@ void GpuPyramid::Resize(const HeightField& field, const HorizonSettings& setting
       ShaderPart(skyline_GpuPyramid, "Slopes"),
       ShaderPart(skyline_GpuPyramid, settings.Pyramid.Spline ? "Spline" : "Greatest"),
       ShaderPart(skyline_GpuPyramid, "Main") }));
+}
 
-  int side = std::min(this->Device.StackLimit(), this->Device.ImageLimit());
-  side = this->Limits.Side > 0 ? std::min(side, this->Limits.Side) : side;
-  const int layers = levels - this->First;
-  const auto bytes = static_cast<std::size_t>(grid.Columns * grid.Rows) *
-    static_cast<std::size_t>(layers * this->Components) * sizeof(float);
-  const std::ptrdiff_t longest = std::max(grid.Columns, grid.Rows);
-  this->Whole =
-    longest <= side && layers <= this->Device.StackLimit() && bytes <= this->Limits.Memory;
+void GpuPyramid::MakeTileImages(int side, int layers)
+{
+  this->Side = std::min(side - 1, TileWithCasters);
+  if (this->Side < 1)
+  {
+    throw std::runtime_error("a texture takes less than two posts: raise the texture limit");
+  }
+  const int reach = this->Side + 1;
+  this->Receivers = Checked(this->Device.Stack(reach, reach, layers, this->Components));
+  this->Casters = Checked(this->Device.Stack(
+    reach, reach, Group * static_cast<int>(this->Sizes.size()), this->Components));
+}
+
+void GpuPyramid::MakeWholeImages(const Grid& grid, int layers)
+{
+  const int levels = static_cast<int>(this->Sizes.size());
   const auto wide = static_cast<int>(grid.Columns);
   const auto high = static_cast<int>(grid.Rows);
-  if (!this->Whole)
+  this->Receivers = Checked(this->Device.Stack(wide, high, layers, this->Components));
+  this->Casters = this->Receivers;
+  this->Scratch = Checked(this->Device.Image(wide, high, this->Components));
+  for (int i = levels - 1; i >= 0; --i)
   {
-    this->Side = std::min(side - 1, TileWithCasters);
-    if (this->Side < 1)
+    const auto index = static_cast<std::size_t>(i);
+    const PyramidSize& size = this->Sizes[index];
+    Layer& layer = this->Levels[index];
+    layer.Columns = static_cast<int>(size.Columns);
+    layer.Rows = static_cast<int>(size.Rows);
+    if (i >= this->First)
     {
-      throw std::runtime_error("a texture takes less than two posts: raise the texture limit");
+      this->PostsAcross[index] = this->Taps(i, 0, wide, false, 0, layer.Columns);
+      this->PostsAlong[index] = this->Taps(i, 0, high, true, 0, layer.Rows);
     }
-    const int reach = this->Side + 1;
-    this->Receivers = Checked(this->Device.Stack(reach, reach, layers, this->Components));
-    this->Casters = Checked(this->Device.Stack(reach, reach, Group * levels, this->Components));
-  }
-  else
-  {
-    this->Side = static_cast<int>(longest);
-    this->Receivers = Checked(this->Device.Stack(wide, high, layers, this->Components));
-    this->Casters = this->Receivers;
-    this->Scratch = Checked(this->Device.Image(wide, high, this->Components));
-    for (int i = levels - 1; i >= 0; --i)
+    if (i + 1 < levels && i >= this->First)
     {
-      const auto index = static_cast<std::size_t>(i);
-      const PyramidSize& size = this->Sizes[index];
-      Layer& layer = this->Levels[index];
-      layer.Columns = static_cast<int>(size.Columns);
-      layer.Rows = static_cast<int>(size.Rows);
-      if (i >= this->First)
-      {
-        this->PostsAcross[index] = this->Taps(i, 0, wide, false, 0, layer.Columns);
-        this->PostsAlong[index] = this->Taps(i, 0, high, true, 0, layer.Rows);
-      }
-      if (i + 1 < levels && i >= this->First)
-      {
-        const PyramidSize& fine = this->Sizes[index + 1];
-        const double ratio = size.Scale / fine.Scale;
-        layer.Image = Checked(this->Device.Image(layer.Columns, layer.Rows, this->Components));
-        this->Across[index] = DecimationImage(this->Device, ratio, fine.Columns, size.Columns);
-        this->Along[index] = DecimationImage(this->Device, ratio, fine.Rows, size.Rows);
-      }
+      const PyramidSize& fine = this->Sizes[index + 1];
+      const double ratio = size.Scale / fine.Scale;
+      layer.Image = Checked(this->Device.Image(layer.Columns, layer.Rows, this->Components));
+      this->Across[index] = DecimationImage(this->Device, ratio, fine.Columns, size.Columns);
+      this->Along[index] = DecimationImage(this->Device, ratio, fine.Rows, size.Rows);
     }
   }
-  this->Columns = grid.Columns;
-  this->Rows = grid.Rows;
 }
 
 void GpuPyramid::BuildWhole(const HeightField& field)

@@ -37,6 +37,9 @@ private:
   };
 
   void Resize(const HeightField& field, const HorizonSettings& settings);
+  void BuildPasses(const HorizonSettings& settings);
+  void MakeTileImages(int side, int layers);
+  void MakeWholeImages(const Grid& grid, int layers);
   void BuildWhole(const HeightField& field);
   void LoadTile(const GpuArea& tile);
   void FillCasters(const GpuArea& tile, const std::vector<std::vector<PyramidReach>>& reaches);

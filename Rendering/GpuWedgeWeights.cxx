@@ -4,7 +4,6 @@
 #include "Harmonics/ElevationIntegral.h"
 #include "Harmonics/SphericalHarmonics.h"
 #include "Harmonics/VisibilityAccumulator.h"
-#include "Shared/Constants.h"
 
 #include <cmath>
 #include <cstddef>
@@ -17,7 +16,7 @@ std::vector<float> WedgeTexels(int bands, const std::vector<double>& azimuths, d
   std::vector<float> texels(static_cast<std::size_t>(4 * (2 + 6 * bands)), 0.0f);
   for (std::size_t k = 0; k < azimuths.size(); ++k)
   {
-    const double azimuth = azimuths[k] * RadiansPerDegree;
+    const double azimuth = azimuths[k];
     texels[k] = static_cast<float>(std::sin(azimuth));
     texels[4 + k] = static_cast<float>(std::cos(azimuth));
     const WedgeWeights<double> weights = WeightsOfSwath(bands, azimuth, width);
@@ -43,9 +42,9 @@ std::array<std::vector<double>, 3> WholeSums(
   const auto visible = ElevationIntegrals(bands, ElevationWeight::One);
   const auto upward = ElevationIntegrals(bands, ElevationWeight::Upward);
   const auto forward = ElevationIntegrals(bands, ElevationWeight::Forward);
-  for (const double degrees : azimuths)
+  for (const double azimuth : azimuths)
   {
-    const WedgeWeights<double> weights = WeightsOfSwath(bands, degrees * RadiansPerDegree, width);
+    const WedgeWeights<double> weights = WeightsOfSwath(bands, azimuth, width);
     std::size_t index = 0;
     for (int m = 0; m < bands; ++m)
     {

@@ -4,7 +4,7 @@
 #include "GpuFilter.h"
 #include "GpuShadows.h"
 #include "Horizon/StoreAccumulator.h"
-#include "HorizonScene.h"
+#include "HorizonDriver.h"
 
 #include "vtkObjectFactory.h"
 
@@ -53,34 +53,34 @@ vtkMTimeType vtkOpenGLHeightFieldHorizon::GetMTime()
 }
 
 bool vtkOpenGLHeightFieldHorizon::Store(
-  skyline::HorizonScene& scene, const std::vector<double>& azimuths, float* values)
+  skyline::HorizonDriver& driver, const std::vector<double>& azimuths, float* values)
 {
   bool finished = false;
   if (this->Method == SWEEP)
   {
     this->Gpu->OnDevice = false;
-    return this->Sweep(scene, azimuths, values);
+    return this->Sweep(driver, azimuths, values);
   }
-  return this->Gpu->Store(this, scene, azimuths, values, finished)
+  return this->Gpu->Store(this, driver, azimuths, values, finished)
     ? finished
-    : this->Superclass::Store(scene, azimuths, values);
+    : this->Superclass::Store(driver, azimuths, values);
 }
 
 bool vtkOpenGLHeightFieldHorizon::Sweep(
-  skyline::HorizonScene& scene, const std::vector<double>& azimuths, float* values)
+  skyline::HorizonDriver& driver, const std::vector<double>& azimuths, float* values)
 {
   skyline::GpuShadows* passes =
-    this->Sweeps->Open(this, this->Gpu->Device, scene.PreparedField(), true);
+    this->Sweeps->Open(this, this->Gpu->Device, driver.Input().Field(), true);
   if (!passes)
   {
-    return this->Superclass::Store(scene, azimuths, values);
+    return this->Superclass::Store(driver, azimuths, values);
   }
   skyline::GpuHorizonSweep method(
-    *passes, this->Sweeps->Failure(this), scene.PreparedField(), scene.UsedSettings());
+    *passes, this->Sweeps->Failure(this), driver.Input().Field(), driver.UsedSettings());
   skyline::StoreAccumulator store(
-    scene.Posts().Columns, values, static_cast<std::ptrdiff_t>(azimuths.size()));
-  scene.DoubtOneMetric("the sweep", scene.CentreMetric());
-  const bool finished = scene.Run(method, azimuths, 0.0, store, skyline::AzimuthAxes::Image);
+    driver.Input().Posts().Columns, values, static_cast<std::ptrdiff_t>(azimuths.size()));
+  driver.DoubtOneMetric("the sweep", driver.Input().CentreMetric());
+  const bool finished = driver.Run(method, azimuths, 0.0, store, skyline::AzimuthAxes::Image);
   this->Gpu->OnDevice = this->Sweeps->OnDevice;
   return finished;
 }

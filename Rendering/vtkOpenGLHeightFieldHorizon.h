@@ -62,13 +62,13 @@ protected:
   ~vtkOpenGLHeightFieldHorizon() override;
 
   bool Store(
-    skyline::HorizonScene& scene, const std::vector<double>& azimuths, float* values) override;
+    skyline::HorizonDriver& driver, const std::vector<double>& azimuths, float* values) override;
 
 private:
   vtkOpenGLHeightFieldHorizon(const vtkOpenGLHeightFieldHorizon&) = delete;
   void operator=(const vtkOpenGLHeightFieldHorizon&) = delete;
 
-  bool Sweep(skyline::HorizonScene& scene, const std::vector<double>& azimuths, float* values);
+  bool Sweep(skyline::HorizonDriver& driver, const std::vector<double>& azimuths, float* values);
 
   std::unique_ptr<skyline::GpuFilter> Gpu;
   std::unique_ptr<skyline::GpuShadowSource> Sweeps;

@@ -4,7 +4,7 @@
 #include "Azimuths.h"
 #include "GpuFilter.h"
 #include "HarmonicLight.h"
-#include "HorizonScene.h"
+#include "HorizonDriver.h"
 #include "Shared/Constants.h"
 #include "vtkSkylineLampLight.h"
 
@@ -99,11 +99,11 @@ bool vtkOpenGLHeightFieldIrradiance::HasLamps()
   return false;
 }
 
-bool vtkOpenGLHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+bool vtkOpenGLHeightFieldIrradiance::Compute(skyline::HorizonDriver& driver, vtkImageData* output)
 {
   this->Inside->Gpu.OnDevice = false;
   this->Inside->Lit = nullptr;
-  const bool finished = this->Superclass::Compute(scene, output);
+  const bool finished = this->Superclass::Compute(driver, output);
   if (finished && this->Inside->Lit && !this->ReadBack && !this->HasLamps())
   {
     output->GetPointData()->RemoveArray("Irradiance");
@@ -111,13 +111,13 @@ bool vtkOpenGLHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkIm
   return finished;
 }
 
-bool vtkOpenGLHeightFieldIrradiance::LightByHarmonics(skyline::HorizonScene& scene,
+bool vtkOpenGLHeightFieldIrradiance::LightByHarmonics(skyline::HorizonDriver& driver,
   const skyline::HarmonicLight& light, const std::vector<double>& key,
   const skyline::LitPosts& posts)
 {
   using namespace skyline;
   GpuFilter& gpu = this->Inside->Gpu;
-  const Grid& grid = scene.Posts();
+  const Grid& grid = driver.Input().Posts();
   const auto count = static_cast<std::size_t>(grid.Columns * grid.Rows);
   gpu.Timed = this->MeasurePasses;
   if (GpuHarmonics* passes = gpu.Passes())
@@ -137,9 +137,9 @@ bool vtkOpenGLHeightFieldIrradiance::LightByHarmonics(skyline::HorizonScene& sce
     task.East = this->Horizontal ? level.data() : posts.East;
     task.North = this->Horizontal ? level.data() : posts.North;
     bool finished = false;
-    if (!gpu.Run(this, scene, task, false, finished))
+    if (!gpu.Run(this, driver, task, false, finished))
     {
-      return this->Superclass::LightByHarmonics(scene, light, key, posts);
+      return this->Superclass::LightByHarmonics(driver, light, key, posts);
     }
     ++this->EnvironmentPasses;
     this->SearchedAzimuths += this->NumberOfAzimuths;

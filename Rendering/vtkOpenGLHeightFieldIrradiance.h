@@ -77,8 +77,8 @@ protected:
   vtkOpenGLHeightFieldIrradiance();
   ~vtkOpenGLHeightFieldIrradiance() override;
 
-  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
-  bool LightByHarmonics(skyline::HorizonScene& scene, const skyline::HarmonicLight& light,
+  bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
+  bool LightByHarmonics(skyline::HorizonDriver& driver, const skyline::HarmonicLight& light,
     const std::vector<double>& key, const skyline::LitPosts& posts) override;
 
 private:

@@ -2,7 +2,7 @@
 #include "vtkOpenGLHeightFieldShadowHeight.h"
 
 #include "GpuShadows.h"
-#include "HorizonScene.h"
+#include "HorizonDriver.h"
 #include "vtkOpenGLHeightFieldDevice.h"
 
 #include "vtkObjectFactory.h"
@@ -53,30 +53,30 @@ vtkMTimeType vtkOpenGLHeightFieldShadowHeight::GetMTime()
   return std::max(this->Superclass::GetMTime(), this->Device->GetMTime());
 }
 
-bool vtkOpenGLHeightFieldShadowHeight::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+bool vtkOpenGLHeightFieldShadowHeight::Compute(skyline::HorizonDriver& driver, vtkImageData* output)
 {
   const bool known = this->Method != PYRAMID && this->Surface == TRIANGLES; // otherwise an error
   this->Passes = known
-    ? this->Source->Open(this, this->Device, scene.PreparedField(), this->Method == SWEEP)
+    ? this->Source->Open(this, this->Device, driver.Input().Field(), this->Method == SWEEP)
     : nullptr;
-  const bool finished = this->Superclass::Compute(scene, output);
+  const bool finished = this->Superclass::Compute(driver, output);
   this->Passes = nullptr;
   return finished;
 }
 
 std::unique_ptr<skyline::HorizonMethod> vtkOpenGLHeightFieldShadowHeight::MakeMethod(
-  skyline::HorizonScene& scene, double slope)
+  skyline::HorizonDriver& driver, double slope)
 {
   if (!this->Passes)
   {
-    return this->Superclass::MakeMethod(scene, slope);
+    return this->Superclass::MakeMethod(driver, slope);
   }
   const skyline::GpuFailure failure = this->Source->Failure(this);
   if (this->Method == SWEEP)
   {
     return std::make_unique<skyline::GpuShadowSweep>(
-      *this->Passes, failure, scene.PreparedField(), slope);
+      *this->Passes, failure, driver.Input().Field(), slope);
   }
   return std::make_unique<skyline::GpuShadowExact>(
-    *this->Passes, failure, scene.PreparedField(), slope, scene.UsedSettings().Sink);
+    *this->Passes, failure, driver.Input().Field(), slope, driver.UsedSettings().Sink);
 }

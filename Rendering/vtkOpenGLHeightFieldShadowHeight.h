@@ -57,11 +57,11 @@ protected:
   vtkOpenGLHeightFieldShadowHeight();
   ~vtkOpenGLHeightFieldShadowHeight() override;
 
-  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+  bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
 #ifndef __VTK_WRAP__
   std::unique_ptr<skyline::HorizonMethod> MakeMethod(
-    skyline::HorizonScene& scene, double slope) override;
+    skyline::HorizonDriver& driver, double slope) override;
 #endif
 
 private:

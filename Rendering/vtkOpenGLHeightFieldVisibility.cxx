@@ -51,20 +51,20 @@ vtkMTimeType vtkOpenGLHeightFieldVisibility::GetMTime()
   return std::max(this->Superclass::GetMTime(), this->Gpu->Device->GetMTime());
 }
 
-bool vtkOpenGLHeightFieldVisibility::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+bool vtkOpenGLHeightFieldVisibility::Compute(skyline::HorizonDriver& driver, vtkImageData* output)
 {
-  const bool finished = this->Superclass::Compute(scene, output);
+  const bool finished = this->Superclass::Compute(driver, output);
   this->Gpu->RemoveUnread(output, "VisibilitySH");
   return finished;
 }
 
-bool vtkOpenGLHeightFieldVisibility::Sum(skyline::HorizonScene& scene,
+bool vtkOpenGLHeightFieldVisibility::Sum(skyline::HorizonDriver& driver,
   const std::vector<double>& azimuths, double width, const float* east, const float* north,
   float* values)
 {
   bool finished = false;
-  return this->Gpu->Run(this, scene, { this->NumberOfBands, &azimuths, width, east, north, values },
-           this->ReadBack, finished)
+  return this->Gpu->Run(this, driver,
+           { this->NumberOfBands, &azimuths, width, east, north, values }, this->ReadBack, finished)
     ? finished
-    : this->Superclass::Sum(scene, azimuths, width, east, north, values);
+    : this->Superclass::Sum(driver, azimuths, width, east, north, values);
 }

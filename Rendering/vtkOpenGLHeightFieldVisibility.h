@@ -67,8 +67,8 @@ protected:
   vtkOpenGLHeightFieldVisibility();
   ~vtkOpenGLHeightFieldVisibility() override;
 
-  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
-  bool Sum(skyline::HorizonScene& scene, const std::vector<double>& azimuths, double width,
+  bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
+  bool Sum(skyline::HorizonDriver& driver, const std::vector<double>& azimuths, double width,
     const float* east, const float* north, float* values) override;
 
 private:

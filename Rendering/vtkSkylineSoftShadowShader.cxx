@@ -35,6 +35,19 @@ namespace
 
 constexpr std::size_t Lamps = 4;
 
+std::string Missing(vtkImageData* image, const std::string& name, const char* components)
+{
+  const bool bare = image->GetPointData()->GetNumberOfArrays() == 0;
+  return "the height field has no point array " + name + " of " + components + " components" +
+    (bare ? "; use the filter Irradiance, Transfer or Visibility to compute light" : "");
+}
+
+// Empty, or why nothing is lit.
+std::string Sent(bool sent)
+{
+  return sent ? "" : "OpenGL refuses the textures of the height field";
+}
+
 } // namespace
 
 struct vtkSkylineSoftShadowShader::Internals
@@ -120,7 +133,119 @@ struct vtkSkylineSoftShadowShader::Internals
     return this->Gradient.Upload(window, skyline::PostGradients(this->Image, heights), size[0],
       size[1], 2, false, heights, heights->GetMTime());
   }
+
+  // A point array with a component count of that range, or null.
+  vtkDataArray* Find(const std::string& name, int least, int most) const
+  {
+    vtkDataArray* array = this->Image->GetPointData()->GetArray(name.c_str());
+    return array && array->GetNumberOfTuples() == this->Image->GetNumberOfPoints() &&
+        array->GetNumberOfComponents() >= least && array->GetNumberOfComponents() <= most
+      ? array
+      : nullptr;
+  }
+
+  std::string TakeField(vtkOpenGLRenderWindow* window);
+  std::string SendLight(const vtkSkylineSoftShadowShader& shader, vtkOpenGLRenderWindow* window);
+  std::string SendIrradiance(const vtkSkylineSoftShadowShader& shader, vtkOpenGLRenderWindow* window);
+  std::string SendHarmonics(const std::string& name, vtkOpenGLRenderWindow* window);
 };
+
+// The height field as it is now; says why it cannot light the terrain.
+std::string vtkSkylineSoftShadowShader::Internals::TakeField(vtkOpenGLRenderWindow* window)
+{
+  if (this->Producer)
+  {
+    this->Producer->Update();
+    this->Image = vtkImageData::SafeDownCast(this->Producer->GetOutputDataObject(this->Port));
+  }
+  if (!this->Image || this->Image->GetNumberOfPoints() == 0)
+  {
+    return "no height field to light the terrain: SetHeightField";
+  }
+  const int* size = this->Image->GetDimensions();
+  const int limit = vtkTextureObject::GetMaximumTextureSize(window);
+  if (size[2] != 1)
+  {
+    return "the height field is no 2-D image";
+  }
+  if (size[0] > limit || size[1] > limit)
+  {
+    std::ostringstream text;
+    text << size[0] << " x " << size[1] << " posts exceed the largest texture of this OpenGL, "
+         << limit << " x " << limit << "; light a part or a coarser height field";
+    return text.str();
+  }
+  return {};
+}
+
+// What the mode reads, as textures; says why not.
+std::string vtkSkylineSoftShadowShader::Internals::SendLight(
+  const vtkSkylineSoftShadowShader& shader, vtkOpenGLRenderWindow* window)
+{
+  if (shader.Mode == IRRADIANCE)
+  {
+    return this->SendIrradiance(shader, window);
+  }
+  if (shader.Mode == RECEIVER)
+  {
+    const std::string reason = this->Receiver.Prepare(window, this->Image, this->Uploads);
+    if (reason.empty())
+    {
+      this->InUse.push_back(&this->Receiver.Texture);
+    }
+    return reason;
+  }
+  const std::string reason = this->SendHarmonics(
+    shader.Mode == TRANSFER ? shader.TransferArrayName : shader.VisibilityArrayName, window);
+  if (!reason.empty() || shader.Mode == TRANSFER)
+  {
+    return reason;
+  }
+  vtkDataArray* heights = this->Find(shader.ElevationArrayName, 1, 1);
+  heights = heights ? heights : this->Image->GetPointData()->GetScalars();
+  if (!heights || heights->GetNumberOfComponents() != 1)
+  {
+    return Missing(this->Image, shader.ElevationArrayName, "1");
+  }
+  return Sent(this->SendGradients(window, heights));
+}
+
+std::string vtkSkylineSoftShadowShader::Internals::SendIrradiance(
+  const vtkSkylineSoftShadowShader& shader, vtkOpenGLRenderWindow* window)
+{
+  if (!this->IrradianceTexture)
+  {
+    vtkDataArray* array = this->Find(shader.IrradianceArrayName, 3, 3);
+    return array ? Sent(this->Send(this->Irradiance, window, array, 0, 3, false))
+                 : Missing(this->Image, shader.IrradianceArrayName, "3");
+  }
+  if (this->IrradianceTexture->GetContext() != window || this->IrradianceTexture->GetHandle() == 0)
+  {
+    return "the irradiance texture is not one of this window's";
+  }
+  this->Irradiance.Borrow(this->IrradianceTexture);
+  this->InUse.push_back(&this->Irradiance);
+  return {};
+}
+
+std::string vtkSkylineSoftShadowShader::Internals::SendHarmonics(
+  const std::string& name, vtkOpenGLRenderWindow* window)
+{
+  constexpr int count = static_cast<int>(skyline::LightCoefficients);
+  vtkDataArray* array = this->Find(name, count, count);
+  if (!array)
+  {
+    return Missing(this->Image, name, "16");
+  }
+  bool sent = true;
+  for (int k = 0; k < 4; ++k)
+  {
+    sent =
+      this->Send(this->Harmonics[static_cast<std::size_t>(k)], window, array, 4 * k, 4, true) &&
+      sent;
+  }
+  return Sent(sent);
+}
 
 vtkSkylineSoftShadowShader::vtkSkylineSoftShadowShader()
   : Inside(std::make_unique<Internals>())
@@ -284,107 +409,20 @@ std::string vtkSkylineSoftShadowShader::Upload(vtkOpenGLRenderWindow* window)
 {
   Internals& in = *this->Inside;
   in.InUse.clear();
-  if (in.Producer)
+  std::string reason = in.TakeField(window);
+  if (reason.empty())
   {
-    in.Producer->Update();
-    in.Image = vtkImageData::SafeDownCast(in.Producer->GetOutputDataObject(in.Port));
+    in.Place();
+    reason = in.SendLight(*this, window);
   }
-  if (!in.Image || in.Image->GetNumberOfPoints() == 0)
+  if (reason.empty() && this->HasLamps())
   {
-    return "no height field to light the terrain: SetHeightField";
+    vtkDataArray* array = in.Find(this->LampArrayName, 1, static_cast<int>(Lamps));
+    reason = array
+      ? Sent(in.Send(in.LampLight, window, array, 0, array->GetNumberOfComponents(), false))
+      : Missing(this->LampArrayName, "1 to 4");
   }
-  const int* size = in.Image->GetDimensions();
-  const int limit = vtkTextureObject::GetMaximumTextureSize(window);
-  if (size[2] != 1)
-  {
-    return "the height field is no 2-D image";
-  }
-  if (size[0] > limit || size[1] > limit)
-  {
-    std::ostringstream text;
-    text << size[0] << " x " << size[1] << " posts exceed the largest texture of this OpenGL, "
-         << limit << " x " << limit << "; light a part or a coarser height field";
-    return text.str();
-  }
-  const auto find = [&](const std::string& name, int least, int most) -> vtkDataArray*
-  {
-    vtkDataArray* array = in.Image->GetPointData()->GetArray(name.c_str());
-    return array && array->GetNumberOfTuples() == in.Image->GetNumberOfPoints() &&
-        array->GetNumberOfComponents() >= least && array->GetNumberOfComponents() <= most
-      ? array
-      : nullptr;
-  };
-  const auto missing = [&](const std::string& name, const char* components)
-  {
-    const bool bare = in.Image->GetPointData()->GetNumberOfArrays() == 0;
-    return "the height field has no point array " + name + " of " + components + " components" +
-      (bare ? "; use the filter Irradiance, Transfer or Visibility to compute light" : "");
-  };
-  in.Place();
-  bool sent = true;
-  if (this->Mode == IRRADIANCE && in.IrradianceTexture)
-  {
-    if (in.IrradianceTexture->GetContext() != window || in.IrradianceTexture->GetHandle() == 0)
-    {
-      return "the irradiance texture is not one of this window's";
-    }
-    in.Irradiance.Borrow(in.IrradianceTexture);
-    in.InUse.push_back(&in.Irradiance);
-  }
-  else if (this->Mode == IRRADIANCE)
-  {
-    vtkDataArray* array = find(this->IrradianceArrayName, 3, 3);
-    if (!array)
-    {
-      return missing(this->IrradianceArrayName, "3");
-    }
-    sent = in.Send(in.Irradiance, window, array, 0, 3, false);
-  }
-  else if (this->Mode == RECEIVER)
-  {
-    std::string reason = in.Receiver.Prepare(window, in.Image, in.Uploads);
-    if (!reason.empty())
-    {
-      return reason;
-    }
-    in.InUse.push_back(&in.Receiver.Texture);
-  }
-  else
-  {
-    const std::string& name =
-      this->Mode == TRANSFER ? this->TransferArrayName : this->VisibilityArrayName;
-    vtkDataArray* array = find(name, static_cast<int>(skyline::LightCoefficients),
-      static_cast<int>(skyline::LightCoefficients));
-    if (!array)
-    {
-      return missing(name, "16");
-    }
-    for (int k = 0; k < 4; ++k)
-    {
-      sent =
-        in.Send(in.Harmonics[static_cast<std::size_t>(k)], window, array, 4 * k, 4, true) && sent;
-    }
-  }
-  if (this->Mode == VISIBILITY)
-  {
-    vtkDataArray* heights = find(this->ElevationArrayName, 1, 1);
-    heights = heights ? heights : in.Image->GetPointData()->GetScalars();
-    if (!heights || heights->GetNumberOfComponents() != 1)
-    {
-      return missing(this->ElevationArrayName, "1");
-    }
-    sent = in.SendGradients(window, heights) && sent;
-  }
-  if (this->HasLamps())
-  {
-    vtkDataArray* array = find(this->LampArrayName, 1, static_cast<int>(Lamps));
-    if (!array)
-    {
-      return missing(this->LampArrayName, "1 to 4");
-    }
-    sent = in.Send(in.LampLight, window, array, 0, array->GetNumberOfComponents(), false) && sent;
-  }
-  return sent ? std::string() : "OpenGL refuses the textures of the height field";
+  return reason;
 }
 
 void vtkSkylineSoftShadowShader::ReplaceShaderValues(

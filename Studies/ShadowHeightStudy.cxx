@@ -51,7 +51,7 @@ double Cost(int kind, const HeightField& posts, double slope)
     {
       const double start = Seconds();
       const auto method = Make(kind, posts, slope);
-      method->SetAzimuth(grid, azimuth);
+      method->SetAzimuth(grid, azimuth * RadiansPerDegree);
       method->Prepare(0, method->PrepareCount());
       const RayFrame& frame = method->Frame();
       const std::ptrdiff_t stride = (frame.Lanes + 31) / 32 * 32;

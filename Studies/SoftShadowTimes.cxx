@@ -59,7 +59,7 @@ Frame Shade(const HeightField& field, const HorizonSettings& settings, const Swa
   for (const double azimuth : AzimuthsOf(swath, azimuths))
   {
     sums.Begin(azimuth, swath.Width / azimuths);
-    method->SetAzimuth(grid, azimuth * DegreesPerRadian);
+    method->SetAzimuth(grid, azimuth);
     method->Prepare(0, method->PrepareCount());
     lap(frame.Build);
     const RayFrame& ray = method->Frame();

@@ -165,8 +165,7 @@ void DemandMemory(
     throw std::runtime_error(what + " of " + std::to_string(columns) + " x " +
       std::to_string(rows) + " posts take " + InGigabytes(needed) + " more (" +
       std::to_string(std::lround(bytes)) + " bytes a post) and " + InGigabytes(free) +
-      " are free; ask for less at a time, cut the raster (gdal_translate -srcwin) or make it "
-      "coarser (-tr)");
+      " are free; " + MemoryCure);
   }
 }
 

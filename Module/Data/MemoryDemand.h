@@ -11,6 +11,10 @@
 namespace skyline
 {
 
+/// What to do where memory is short.
+constexpr const char* MemoryCure =
+  "ask for less at a time, cut the raster (gdal_translate -srcwin) or make it coarser (-tr)";
+
 /// Bytes of memory and swap that this program may still take: the least of what the machine has free
 /// (Linux's MemAvailable and SwapFree), what the control groups leave that it runs in (a container's
 /// limit, versions 1 and 2), and its own limit of addresses (ulimit -v). Infinite where the system does

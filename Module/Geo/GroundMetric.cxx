@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Geo/GroundMetric.h"
 
-#include "Geo/Azimuth.h"
+#include "Geo/LatticePlace.h"
 #include "Shared/Constants.h"
 
 #include <algorithm>
@@ -74,20 +74,32 @@ bool Within(const MetricError& error, double distance, double radians)
   return error.Distance <= distance && error.Azimuth <= radians;
 }
 
-/// Where a post lies between two of `nodes` nodes spread over `posts` posts.
-void Split(
-  double post, std::ptrdiff_t posts, std::ptrdiff_t nodes, std::ptrdiff_t& node, double& fraction)
+/// Where a post lies among `nodes` nodes spread over `posts` posts.
+LatticePlace PlaceAmong(double post, std::ptrdiff_t posts, std::ptrdiff_t nodes)
 {
-  if (nodes < 2)
-  {
-    node = 0;
-    fraction = 0.0;
-    return;
-  }
   const double scale = static_cast<double>(nodes - 1) / static_cast<double>(posts - 1);
-  const double place = std::clamp(post * scale, 0.0, static_cast<double>(nodes - 1));
-  node = std::min(static_cast<std::ptrdiff_t>(place), nodes - 2);
-  fraction = place - static_cast<double>(node);
+  return { post * scale, nodes };
+}
+
+/// Calls set(i, value) for `count` posts of a row from `column` on, where values are linear between nodes;
+/// at(node, post) gives them.
+template <typename At, typename Set>
+void ForLinearRow(std::ptrdiff_t column, std::ptrdiff_t count, std::ptrdiff_t posts,
+  std::ptrdiff_t nodes, const At& at, const Set& set)
+{
+  const double cell = static_cast<double>(posts - 1) / static_cast<double>(nodes - 1);
+  for (std::ptrdiff_t i = 0; i < count;)
+  {
+    const std::ptrdiff_t node = PlaceAmong(static_cast<double>(column + i), posts, nodes).Lower;
+    const double west = static_cast<double>(node) * cell;
+    const double from = at(node, west), step = (at(node + 1, west + cell) - from) / cell;
+    const bool last = node + 2 >= nodes;
+    do
+    {
+      set(i, static_cast<float>(from + step * (static_cast<double>(column + i) - west)));
+      ++i;
+    } while (i < count && (last || static_cast<double>(column + i) < west + cell));
+  }
 }
 
 } // namespace
@@ -129,7 +141,9 @@ GroundMetric::GroundMetric(const Georeference& place, const PostSpacing& image)
   }
   if (rows >= 2 && !place.RowSpacingX.empty())
   {
-    this->HasRows = this->TrueImage = true;
+    this->TrueImage = true;
+    this->SpacingX = place.RowSpacingX;
+    this->SpacingY = place.RowSpacingY;
     this->Across = 1;
     this->Along = place.Rows;
     for (std::size_t row = 0; row < rows; ++row)
@@ -211,14 +225,13 @@ bool GroundMetric::Sample(const Georeference& place, std::ptrdiff_t side)
 
 PostMetric GroundMetric::Between(double column, double row) const
 {
-  std::ptrdiff_t i = 0, j = 0;
-  double across = 0.0, along = 0.0;
-  Split(column, this->ColumnCount, this->Across, i, across);
-  Split(row, this->RowCount, this->Along, j, along);
-  const std::ptrdiff_t east = this->Across > 1 ? i + 1 : i;
-  const std::ptrdiff_t north = this->Along > 1 ? j + 1 : j;
-  return Mix(Mix(this->Node(i, j), this->Node(east, j), across),
-    Mix(this->Node(i, north), this->Node(east, north), across), along);
+  const LatticePlace across = PlaceAmong(column, this->ColumnCount, this->Across);
+  const LatticePlace along = PlaceAmong(row, this->RowCount, this->Along);
+  return Mix(Mix(this->Node(across.Lower, along.Lower), this->Node(across.Upper, along.Lower),
+               across.Fraction),
+    Mix(this->Node(across.Lower, along.Upper), this->Node(across.Upper, along.Upper),
+      across.Fraction),
+    along.Fraction);
 }
 
 PostMetric GroundMetric::At(double column, double row) const
@@ -260,11 +273,10 @@ double GroundMetric::GroundAzimuth(const PostMetric& metric, double imageAzimuth
   {
     return imageAzimuth;
   }
-  const double angle = std::remainder(imageAzimuth, 360.0) * RadiansPerDegree;
   const double stepX = this->TrueImage ? std::hypot(metric.X, metric.Shear) : this->ImageX;
   const double stepY = this->TrueImage ? metric.Y : this->ImageY;
-  const double columns = std::sin(angle) / stepX, rows = std::cos(angle) / stepY;
-  return AzimuthOf(metric.X * columns, metric.Shear * columns + metric.Y * rows);
+  const double columns = std::sin(imageAzimuth) / stepX, rows = std::cos(imageAzimuth) / stepY;
+  return std::atan2(metric.X * columns, metric.Shear * columns + metric.Y * rows);
 }
 
 void GroundMetric::Lengths(std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count,
@@ -277,56 +289,32 @@ void GroundMetric::Lengths(std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdi
     std::fill_n(metres, count, static_cast<float>(at(0.0)));
     return;
   }
-  // Linear between nodes, as the metric is.
-  const double cell =
-    static_cast<double>(this->ColumnCount - 1) / static_cast<double>(this->Across - 1);
-  for (std::ptrdiff_t i = 0; i < count;)
-  {
-    std::ptrdiff_t node = 0;
-    double fraction = 0.0;
-    Split(static_cast<double>(column + i), this->ColumnCount, this->Across, node, fraction);
-    const double west = static_cast<double>(node) * cell;
-    const double from = at(west), step = (at(west + cell) - from) / cell;
-    const bool last = node + 2 >= this->Across;
-    do
-    {
-      metres[i] = static_cast<float>(from + step * (static_cast<double>(column + i) - west));
-      ++i;
-    } while (i < count && (last || static_cast<double>(column + i) < west + cell));
-  }
+  ForLinearRow(
+    column, count, this->ColumnCount, this->Across,
+    [&](std::ptrdiff_t, double post) { return at(post); },
+    [metres](std::ptrdiff_t i, float length) { metres[i] = length; });
 }
 
 void GroundMetric::Interpolate(const std::vector<float>& nodes, std::ptrdiff_t row,
   std::ptrdiff_t column, std::ptrdiff_t count, float* values) const
 {
-  std::ptrdiff_t j = 0;
-  double along = 0.0;
-  Split(static_cast<double>(row), this->RowCount, this->Along, j, along);
-  const float* south = nodes.data() + j * this->Across;
-  const float* north = this->Along > 1 ? south + this->Across : south;
+  const LatticePlace along = PlaceAmong(static_cast<double>(row), this->RowCount, this->Along);
+  const float* south = nodes.data() + along.Lower * this->Across;
+  const float* north = nodes.data() + along.Upper * this->Across;
   const auto at = [&](std::ptrdiff_t i)
-  { return south[i] + along * (static_cast<double>(north[i]) - static_cast<double>(south[i])); };
+  {
+    return south[i] +
+      along.Fraction * (static_cast<double>(north[i]) - static_cast<double>(south[i]));
+  };
   if (this->Across < 2)
   {
     std::fill_n(values, count, static_cast<float>(at(0)));
     return;
   }
-  const double cell =
-    static_cast<double>(this->ColumnCount - 1) / static_cast<double>(this->Across - 1);
-  for (std::ptrdiff_t k = 0; k < count;)
-  {
-    std::ptrdiff_t i = 0;
-    double fraction = 0.0;
-    Split(static_cast<double>(column + k), this->ColumnCount, this->Across, i, fraction);
-    const double west = static_cast<double>(i) * cell;
-    const double from = at(i), step = (at(i + 1) - from) / cell;
-    const bool last = i + 2 >= this->Across;
-    do
-    {
-      values[k] = static_cast<float>(from + step * (static_cast<double>(column + k) - west));
-      ++k;
-    } while (k < count && (last || static_cast<double>(column + k) < west + cell));
-  }
+  ForLinearRow(
+    column, count, this->ColumnCount, this->Across,
+    [&](std::ptrdiff_t node, double) { return at(node); },
+    [values](std::ptrdiff_t i, float value) { values[i] = value; });
 }
 
 void GroundMetric::TurnGradients(

@@ -56,7 +56,11 @@ public:
   bool Uniform() const { return this->Nodes.size() == 1; }
 
   /// Every row has one metric without shear.
-  bool ByRows() const { return this->HasRows; }
+  bool ByRows() const { return !this->SpacingX.empty(); }
+
+  /// Metres between columns and between rows, one of each a row from the south, where ByRows; else null.
+  const double* RowSpacingX() const { return this->ByRows() ? this->SpacingX.data() : nullptr; }
+  const double* RowSpacingY() const { return this->ByRows() ? this->SpacingY.data() : nullptr; }
 
   /// At a post; fractions are allowed, beyond the edge the edge's counts.
   PostMetric At(double column, double row) const;
@@ -65,7 +69,7 @@ public:
   /// The error, at the worst post, of taking `used` everywhere.
   MetricError WorstError(const PostMetric& used) const;
 
-  /// Azimuth on the ground (degrees clockwise from y, PostMetric) of an azimuth on the image at a post
+  /// Azimuth on the ground (radians clockwise from y, PostMetric) of an azimuth on the image at a post
   /// with this metric: Georeference::GridAzimuthAt tells how the image's azimuths count.
   double GroundAzimuth(const PostMetric& metric, double imageAzimuth) const;
 
@@ -112,12 +116,12 @@ private:
   }
 
   std::ptrdiff_t ColumnCount = 0, RowCount = 0;
-  std::ptrdiff_t Across = 1, Along = 1; ///< nodes
-  std::vector<PostMetric> Nodes;        ///< row by row from the south
-  bool HasRows = false;
-  bool Collapses = false;            ///< somewhere all columns meet in a point
-  bool TrueImage = false;            ///< image azimuths count in true lengths
-  double ImageX = 1.0, ImageY = 1.0; ///< steps of the image's plane, if not
+  std::ptrdiff_t Across = 1, Along = 1;   ///< nodes
+  std::vector<PostMetric> Nodes;          ///< row by row from the south
+  std::vector<double> SpacingX, SpacingY; ///< of rows, where each has its own
+  bool Collapses = false;                 ///< somewhere all columns meet in a point
+  bool TrueImage = false;                 ///< image azimuths count in true lengths
+  double ImageX = 1.0, ImageY = 1.0;      ///< steps of the image's plane, if not
 };
 
 } // namespace skyline

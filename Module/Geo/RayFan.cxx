@@ -17,21 +17,18 @@ constexpr int Bins = 256;
 /// How a post's own direction looks on the metric of the centre.
 struct OwnRay
 {
-  double Direction; ///< degrees, of the centre's ground
+  double Direction; ///< radians, of the centre's ground
   double Length;    ///< logarithm of its length per line over the centre's
-  double Widening;  ///< degrees on the post's ground for a degree of Direction
+  double Widening;  ///< of angles at the post, for one of Direction
 };
 
 OwnRay RayOf(const PostMetric& metric, const PostMetric& reference, double azimuth)
 {
-  const double angle = azimuth * RadiansPerDegree;
-  const double columns = std::sin(angle) / metric.X;
-  const double rows = (std::cos(angle) - metric.Shear * columns) / metric.Y;
+  const double columns = std::sin(azimuth) / metric.X;
+  const double rows = (std::cos(azimuth) - metric.Shear * columns) / metric.Y;
   const double length = LengthOf(reference, columns, rows); // on the post's own ground it is 1
   OwnRay ray;
-  ray.Direction =
-    std::atan2(reference.X * columns, reference.Shear * columns + reference.Y * rows) *
-    DegreesPerRadian;
+  ray.Direction = std::atan2(reference.X * columns, reference.Shear * columns + reference.Y * rows);
   ray.Length = -std::log(length);
   // A direction turns by the cell's area over the squared length.
   ray.Widening = metric.X * metric.Y / (reference.X * reference.Y) * length * length;
@@ -71,6 +68,44 @@ std::vector<double> Nodes(double least, double greatest, const Step& step)
   return nodes;
 }
 
+/// The widening of the posts that use a direction, by parts of the range of directions; a part that no
+/// post uses has its neighbours'.
+class WideningByDirection
+{
+public:
+  WideningByDirection(const std::vector<OwnRay>& rays, double least, double greatest)
+    : Least(least)
+    , Width(std::max(greatest - least, 1e-12) / Bins)
+    , Values(Bins, 0.0)
+  {
+    for (const OwnRay& ray : rays)
+    {
+      double& here = this->Values[this->Bin(ray.Direction)];
+      here = std::max(here, ray.Widening);
+    }
+    for (std::size_t i = 1; i < this->Values.size(); ++i)
+    {
+      this->Values[i] = this->Values[i] > 0.0 ? this->Values[i] : this->Values[i - 1];
+    }
+  }
+
+  double Largest(double from, double to) const
+  {
+    return *std::max_element(this->Values.begin() + static_cast<std::ptrdiff_t>(this->Bin(from)),
+      this->Values.begin() + static_cast<std::ptrdiff_t>(this->Bin(to)) + 1);
+  }
+
+private:
+  std::size_t Bin(double direction) const
+  {
+    return static_cast<std::size_t>(
+      std::clamp((direction - this->Least) / this->Width, 0.0, Bins - 1.0));
+  }
+
+  double Least, Width;
+  std::vector<double> Values;
+};
+
 } // namespace
 
 RayFan::RayFan(const GroundMetric& metric, double azimuth, bool onImage, bool curved)
@@ -85,7 +120,7 @@ RayFan::RayFan(const GroundMetric& metric, double azimuth, bool onImage, bool cu
     [&](const PostMetric& node)
     {
       OwnRay ray = RayOf(node, this->Reference, ground(node));
-      ray.Direction = middle + std::remainder(ray.Direction - middle, 360.0);
+      ray.Direction = middle + std::remainder(ray.Direction - middle, 2.0 * Pi);
       rays.push_back(ray);
     });
   const auto byDirection = [](const OwnRay& a, const OwnRay& b)
@@ -95,33 +130,14 @@ RayFan::RayFan(const GroundMetric& metric, double azimuth, bool onImage, bool cu
   const auto [shortest, longest] = std::minmax_element(rays.begin(), rays.end(), byLength);
   const double least = first->Direction, greatest = last->Direction;
 
-  // The widening of the posts that use a direction, by parts of the range; a part without nodes has its
-  // neighbours'.
-  const double width = std::max(greatest - least, 1e-12) / Bins;
-  std::vector<double> widening(Bins, 0.0);
-  const auto bin = [&](double direction)
-  { return static_cast<std::size_t>(std::clamp((direction - least) / width, 0.0, Bins - 1.0)); };
-  for (const OwnRay& ray : rays)
-  {
-    double& here = widening[bin(ray.Direction)];
-    here = std::max(here, ray.Widening);
-  }
-  for (std::size_t i = 1; i < widening.size(); ++i)
-  {
-    widening[i] = widening[i] > 0.0 ? widening[i] : widening[i - 1];
-  }
-  const auto largest = [&](double from, double to)
-  {
-    return *std::max_element(widening.begin() + static_cast<std::ptrdiff_t>(bin(from)),
-      widening.begin() + static_cast<std::ptrdiff_t>(bin(to)) + 1);
-  };
+  const WideningByDirection widening(rays, least, greatest);
   this->Directions = Nodes(least, greatest,
     [&](double from)
     {
-      double step = FanAzimuthStep / largest(from, from);
+      double step = FanAzimuthStep / widening.Largest(from, from);
       for (int i = 0; i < 3; ++i)
       {
-        step = FanAzimuthStep / largest(from, from + step);
+        step = FanAzimuthStep / widening.Largest(from, from + step);
       }
       return step;
     });

@@ -5,6 +5,7 @@
 
 #include "Geo/GroundMetric.h"
 #include "SkylineCoreModule.h" // for the export macro
+#include "Shared/Constants.h"
 
 #include <cstddef>
 #include <vector>
@@ -12,10 +13,10 @@
 namespace skyline
 {
 
-/// Degrees between neighbouring rays of a fan, on the ground of every post that uses them: no ray that
+/// Radians between neighbouring rays of a fan, on the ground of every post that uses them: no ray that
 /// counts for a post leaves it further beside its azimuth. The horizon is interpolated between both, so
-/// that their mean direction is the exact one and no border can be seen.
-constexpr double FanAzimuthStep = 0.03;
+/// that their mean direction is the exact one and no border can be seen. 0.03 degrees.
+constexpr double FanAzimuthStep = 0.03 * RadiansPerDegree;
 
 /// Relative difference of the lengths of neighbouring rays. Slopes are brought to each post's own length;
 /// only the part that the body's curvature takes, d (1 - k) / 2R, comes from the rays, again interpolated.
@@ -27,11 +28,11 @@ constexpr double FanLengthStep = 0.02;
 class SKYLINECORE_EXPORT RayFan
 {
 public:
-  /// azimuth: degrees from the image's +y axis, on the image (`onImage`) or on the ground. curved: the
+  /// azimuth: radians from the image's +y axis, on the image (`onImage`) or on the ground. curved: the
   /// body's curvature counts; without it one length serves all.
   RayFan(const GroundMetric& metric, double azimuth, bool onImage, bool curved);
 
-  std::vector<double> Directions, Lengths; ///< rising, at least one each
+  std::vector<double> Directions, Lengths; ///< rising, at least one each; directions in radians
 
   bool IsOne() const { return this->Directions.size() * this->Lengths.size() == 1; }
 

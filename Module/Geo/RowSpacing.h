@@ -13,10 +13,6 @@ namespace skyline
 /// distance off by 0.01 % turns no horizon by more than 0.003 degrees.
 constexpr double RowSpacingUniformity = 1e-4;
 
-/// Default for RowBands. An error of 0.25 % in a distance turns a horizon of 15 degrees by 0.036
-/// and one of 45 by 0.072 degrees; 60 degrees of latitude from the equator take 140 bands.
-constexpr double RowBandTolerance = 0.0025;
-
 /// Metres between columns and between rows.
 struct PostSpacing
 {
@@ -46,25 +42,6 @@ enum class StepUnit
 /// numbers, for degrees without a body, and what GroundMetric throws.
 SKYLINECORE_EXPORT PostSpacing ComputeRowSpacing(
   Georeference& place, double nominalX, double nominalY, StepUnit unit = StepUnit::Metres);
-
-/// Metres between the posts at a row, which may be fractional (the nearest row's is taken);
-/// `uniform` where the georeference has one spacing for all.
-SKYLINECORE_EXPORT PostSpacing RowSpacingAt(
-  const Georeference& place, double row, const PostSpacing& uniform);
-
-/// Rows [RowBegin, RowEnd) to be computed with one spacing.
-struct RowBand
-{
-  std::ptrdiff_t RowBegin = 0, RowEnd = 0;
-  double SpacingX = 1.0, SpacingY = 1.0;
-};
-
-/// Splits the rows, south to north, into the fewest bands in which no row's spacing differs from
-/// the band's by more than `tolerance` (relative, default RowBandTolerance, at least 0). One band
-/// of `uniform` when the georeference has no row spacings. Throws std::invalid_argument for a
-/// negative tolerance and for row spacings that are not one a row.
-SKYLINECORE_EXPORT std::vector<RowBand> RowBands(
-  const Georeference& place, const PostSpacing& uniform, double tolerance = RowBandTolerance);
 
 } // namespace skyline
 

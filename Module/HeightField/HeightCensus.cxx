@@ -66,6 +66,8 @@ bool FillValue(double value)
     std::find(ends.begin(), ends.end(), value) != ends.end();
 }
 
+const char* const OftenMissing = "which often stands for a missing post";
+
 std::string Posts(std::int64_t count, const std::string& subject)
 {
   return std::to_string(count) + (count == 1 ? " post of " : " posts of ") + subject +
@@ -134,6 +136,35 @@ void HeightCensus::Note(double height)
   }
 }
 
+std::string HeightCensus::WhyDoubtful(
+  const End& end, std::size_t first, double far, bool atLow, bool fillsOnly, double metres) const
+{
+  const Value& value = end.Values[first];
+  const double next = end.Values[first + 1].Height;
+  const double gap = std::abs(next - value.Height);
+  const double range = std::abs(far - next);
+  const bool clear = gap >= Apart * range;
+  const bool varied = end.Size == Kept && first + 2 < Kept && end.Values[Kept - 1].Height != far;
+  const bool fill = clear && FillValue(value.Height) && gap * metres >= LeastApart &&
+    (std::abs(value.Height) > 1000.0 || gap >= range);
+  const bool minority = 2 * value.Posts < this->Count;
+  const bool zero = clear && value.Height == 0.0 && varied &&
+    (gap * metres >= ClearOfZero ||
+      (minority && gap * metres >= LeastApart && gap >= TwiceRange * range));
+  const bool pit = atLow && varied && value.Posts < FewPosts * this->Count &&
+    gap * metres >= FarBelow && gap >= FarBelowPart * range;
+  if (fill || zero || std::abs(value.Height) * metres > GreatestHeight)
+  {
+    return OftenMissing;
+  }
+  if (!fillsOnly && (pit || (gap * metres >= FarApart && gap >= range)))
+  {
+    return std::string("far ") + (atLow ? "below" : "above") + " all others (" +
+      Text(std::min(next, far), true) + " to " + Text(std::max(next, far), true) + ")";
+  }
+  return {};
+}
+
 HeightCensus::Findings HeightCensus::Judge(
   const std::string& subject, double metres, bool single) const
 {
@@ -149,7 +180,7 @@ HeightCensus::Findings HeightCensus::Judge(
     findings.Doubts.push_back({ Posts(value.Posts, subject) + " the height " + text + ", " + why,
       use, "--nodata " + text });
   };
-  const std::string missing = "which often stands for a missing post";
+  const std::string missing = OftenMissing;
 
   // From both ends inwards, as long as the value there is doubtful and others are left.
   std::size_t low = 0, high = 0;
@@ -169,29 +200,7 @@ HeightCensus::Findings HeightCensus::Judge(
     }
     else if (first + 1 < Kept)
     {
-      const double next = end.Values[first + 1].Height;
-      const double gap = std::abs(next - value.Height);
-      const double range = std::abs(far - next);
-      const bool clear = gap >= Apart * range;
-      const bool varied =
-        end.Size == Kept && first + 2 < Kept && end.Values[Kept - 1].Height != far;
-      const bool fill = clear && FillValue(value.Height) && gap * metres >= LeastApart &&
-        (std::abs(value.Height) > 1000.0 || gap >= range);
-      const bool minority = 2 * value.Posts < this->Count;
-      const bool zero = clear && value.Height == 0.0 && varied &&
-        (gap * metres >= ClearOfZero ||
-          (minority && gap * metres >= LeastApart && gap >= TwiceRange * range));
-      const bool pit = atLow && varied && value.Posts < FewPosts * this->Count &&
-        gap * metres >= FarBelow && gap >= FarBelowPart * range;
-      if (fill || zero || std::abs(value.Height) * metres > GreatestHeight)
-      {
-        why = missing;
-      }
-      else if (!fillsOnly && (pit || (gap * metres >= FarApart && gap >= range)))
-      {
-        why = std::string("far ") + (atLow ? "below" : "above") + " all others (" +
-          Text(std::min(next, far), true) + " to " + Text(std::max(next, far), true) + ")";
-      }
+      why = this->WhyDoubtful(end, first, far, atLow, fillsOnly, metres);
     }
     if (why.empty())
     {

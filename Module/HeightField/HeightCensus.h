@@ -77,6 +77,11 @@ private:
 
   void Note(double height);
 
+  /// Why the value end.Values[first] is doubtful, given the next one and the one at the far end; empty if it
+  /// is not. fillsOnly: values that are merely far away are not looked at yet.
+  std::string WhyDoubtful(
+    const End& end, std::size_t first, double far, bool atLow, bool fillsOnly, double metres) const;
+
   std::int64_t Count = 0;
   End Low, High;
   double LowLimit = std::numeric_limits<double>::infinity();

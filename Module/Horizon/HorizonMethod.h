@@ -48,7 +48,7 @@ class SKYLINECORE_EXPORT HorizonMethod
 public:
   virtual ~HorizonMethod() = default;
 
-  /// The azimuth of the calls that follow: degrees clockwise from grid north. grid: the field's
+  /// The azimuth of the calls that follow: radians clockwise from grid north. grid: the field's
   /// posts, with the spacing that holds where the receivers are.
   virtual void SetAzimuth(const Grid& grid, double azimuth) = 0;
 

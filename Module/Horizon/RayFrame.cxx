@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -35,16 +36,27 @@ Weights Between(double t, double lineBefore, double sinkPerLine2)
     static_cast<float>(sinkPerLine2 * distance) };
 }
 
+// An azimuth in degrees. A simple part of a degree keeps its digits, which radians round.
+double MeantDegrees(double azimuth)
+{
+  constexpr double parts = 201600.0; // 2^7 3^2 5^2 7: of 360 degrees over 2^10, 3600 and the like
+  constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+  const double degrees = azimuth * DegreesPerRadian;
+  const double simple = std::nearbyint(degrees * parts) / parts;
+  return std::abs(simple - degrees) <= rounding * std::abs(degrees) ? simple : degrees;
+}
+
 } // namespace
 
-Direction DirectionOfAzimuth(double degrees)
+Direction DirectionOfAzimuth(double azimuth)
 {
-  if (!std::isfinite(degrees))
+  if (!std::isfinite(azimuth))
   {
-    throw std::invalid_argument("azimuth " + std::to_string(degrees) + ": give finite degrees");
+    throw std::invalid_argument("azimuth " + std::to_string(azimuth) + ": give finite radians");
   }
-  // Reduced to the nearest quarter turn first: sine and cosine of 0 and 45 degrees are then exact.
-  const double reduced = std::remainder(degrees, 360.0);
+  // Reduced to the nearest quarter turn first, a whole number of degrees: sine and cosine of 0 and 45
+  // degrees are then exact.
+  const double reduced = std::remainder(MeantDegrees(azimuth), 360.0);
   const double quarter = std::nearbyint(reduced / 90.0);
   const double rest = (reduced - 90.0 * quarter) * RadiansPerDegree;
   double s = std::sin(rest);
@@ -67,9 +79,9 @@ Direction DirectionOfAzimuth(double degrees)
   }
 }
 
-PostsPerMetre RayOfAzimuth(const Grid& grid, double degrees)
+PostsPerMetre RayOfAzimuth(const Grid& grid, double azimuth)
 {
-  const Direction direction = DirectionOfAzimuth(degrees);
+  const Direction direction = DirectionOfAzimuth(azimuth);
   const double columns = direction.East / grid.SpacingX;
   return { columns, (direction.North - grid.Shear * columns) / grid.SpacingY };
 }
@@ -103,6 +115,11 @@ RayFrame::RayFrame(const HeightField& field, const Grid& grid, double azimuth, d
   const double sinkPerLine2 = sink * this->StepLength * this->StepLength;
   this->SinkPerLine2 = static_cast<float>(sinkPerLine2);
 
+  this->FillSteps(sinkPerLine2);
+}
+
+void RayFrame::FillSteps(double sinkPerLine2)
+{
   this->Steps.resize(static_cast<std::size_t>(this->Lines));
   this->Sides.resize(this->Steps.size());
   this->Places.resize(this->Steps.size());

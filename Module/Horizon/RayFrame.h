@@ -15,20 +15,20 @@
 namespace skyline
 {
 
-/// Unit vector of a grid azimuth in degrees clockwise from north: (east, north). Multiples of 45
-/// degrees are exact. Any finite azimuth; others throw std::invalid_argument.
+/// Unit vector of a grid azimuth in radians clockwise from north: (east, north). Exact for multiples of 45
+/// degrees times RadiansPerDegree. Any finite azimuth; others throw std::invalid_argument.
 struct Direction
 {
   double East, North;
 };
-SKYLINECORE_EXPORT Direction DirectionOfAzimuth(double degrees);
+SKYLINECORE_EXPORT Direction DirectionOfAzimuth(double azimuth);
 
-/// Columns and rows a metre along an azimuth on a grid; degrees and errors as in DirectionOfAzimuth.
+/// Columns and rows a metre along an azimuth on a grid; radians and errors as in DirectionOfAzimuth.
 struct PostsPerMetre
 {
   double Columns, Rows;
 };
-PostsPerMetre RayOfAzimuth(const Grid& grid, double degrees);
+PostsPerMetre RayOfAzimuth(const Grid& grid, double azimuth);
 
 /// What a ray meets from line D - 1 to line D ahead of its receiver. `trail` and `lead` are the two
 /// posts of a line on either side of the ray, the lead on the side the ray drifts to. A slope, in
@@ -61,7 +61,7 @@ struct StepPlace
 class SKYLINECORE_EXPORT RayFrame
 {
 public:
-  /// azimuth: degrees clockwise from grid north; sink: (1 - k) / 2R in 1/m, 0 for a flat body.
+  /// azimuth: radians clockwise from grid north; sink: (1 - k) / 2R in 1/m, 0 for a flat body.
   RayFrame(const HeightField& field, const Grid& grid, double azimuth, double sink);
 
   /// True if the frame's lines are columns of the image: the field must be transposed then.
@@ -96,6 +96,9 @@ public:
   {
     return this->Reversed ? this->Lines - 1 - line : line;
   }
+
+private:
+  void FillSteps(double sinkPerLine2);
 };
 
 } // namespace skyline

@@ -19,10 +19,6 @@ namespace skyline
 namespace
 {
 
-/// Nodes along a side of the first and of the finest lattice, as in SunField.
-constexpr std::ptrdiff_t FirstSide = 5;
-constexpr std::ptrdiff_t LastSide = 257;
-
 /// Sun and Moon can touch for some place when the Earth's centre sees their centres closer than this,
 /// radians: the Moon's greatest parallax (1.03 degrees) and both greatest radii (0.28 and 0.27).
 constexpr double FarthestEclipse = 1.6 * RadiansPerDegree;
@@ -52,6 +48,31 @@ SunAndMoon See(const Vector& sun, const Vector& moon)
   return seen;
 }
 
+/// How far the rims of both are apart in two views, in radii of the sun.
+double Difference(const SunAndMoon& a, const SunAndMoon& b)
+{
+  return Length(Minus(a.Offset, b.Offset)) + std::abs(a.Cover - b.Cover);
+}
+
+/// True if the rims of sun and Moon may touch at a node, or between it and its neighbours.
+bool Reaches(const RefinedLattice<SunAndMoon>& lattice)
+{
+  double closest = lattice.Nodes.front().Distance(), step = 0.0;
+  for (std::ptrdiff_t j = 0; j < lattice.Side; ++j)
+  {
+    for (std::ptrdiff_t i = 0; i < lattice.Side; ++i)
+    {
+      const SunAndMoon& node = lattice.At(i, j);
+      closest = std::min(closest, node.Distance() - node.Cover - 1.0);
+      step = std::max(step, i > 0 ? Difference(node, lattice.At(i - 1, j)) : 0.0);
+      step = std::max(step, j > 0 ? Difference(node, lattice.At(i, j - 1)) : 0.0);
+    }
+  }
+  return closest < step;
+}
+
+} // namespace
+
 SunAndMoon Mix(const SunAndMoon& a, const SunAndMoon& b, double fraction)
 {
   const double rest = 1.0 - fraction;
@@ -63,14 +84,6 @@ SunAndMoon Mix(const SunAndMoon& a, const SunAndMoon& b, double fraction)
   mixed.Cover = rest * a.Cover + fraction * b.Cover;
   return mixed;
 }
-
-/// How far the rims of both are apart in two views, in radii of the sun.
-double Difference(const SunAndMoon& a, const SunAndMoon& b)
-{
-  return Length(Minus(a.Offset, b.Offset)) + std::abs(a.Cover - b.Cover);
-}
-
-} // namespace
 
 double SunAndMoon::Distance() const
 {
@@ -126,84 +139,18 @@ EclipseField::EclipseField(const Georeference& place, const UtcTime& time, doubl
   {
     return;
   }
-  const double lastColumn = static_cast<double>(place.Columns - 1);
-  const double lastRow = static_cast<double>(place.Rows - 1);
-  const auto make = [&](std::ptrdiff_t side)
+  const auto at = [&](double column, double row)
   {
-    EclipseField field;
-    field.Side = side;
-    field.NodesPerColumn = static_cast<double>(side - 1) / lastColumn;
-    field.NodesPerRow = static_cast<double>(side - 1) / lastRow;
-    for (std::ptrdiff_t j = 0; j < side; ++j)
-    {
-      for (std::ptrdiff_t i = 0; i < side; ++i)
-      {
-        double longitude = 0.0, latitude = 0.0;
-        place.LonLatAt(static_cast<double>(i) / field.NodesPerColumn,
-          static_cast<double>(j) / field.NodesPerRow, longitude, latitude);
-        field.Nodes.push_back(
-          ephemeris.At(longitude, std::clamp(latitude, -90.0, 90.0), meanHeight));
-      }
-    }
-    return field;
+    double longitude = 0.0, latitude = 0.0;
+    place.LonLatAt(column, row, longitude, latitude);
+    return ephemeris.At(longitude, std::clamp(latitude, -90.0, 90.0), meanHeight);
   };
-
-  // As in SunField: a lattice is good when it predicts the next finer one, which is then kept.
-  EclipseField field = make(FirstSide);
-  double error = 0.0;
-  do
-  {
-    if (!field.Reaches())
-    {
-      return;
-    }
-    EclipseField finer = make(2 * field.Side - 1);
-    error = 0.0;
-    for (std::ptrdiff_t j = 0; j < finer.Side; ++j)
-    {
-      for (std::ptrdiff_t i = 0; i < finer.Side; ++i)
-      {
-        const SunAndMoon predicted = field.At(static_cast<double>(i) / finer.NodesPerColumn,
-          static_cast<double>(j) / finer.NodesPerRow);
-        error = std::max(error, Difference(predicted, finer.Node(i, j)));
-      }
-    }
-    field = std::move(finer);
-  } while (error > EclipseTolerance && field.Side < LastSide);
-  *this = std::move(field);
-}
-
-const SunAndMoon& EclipseField::Node(std::ptrdiff_t column, std::ptrdiff_t row) const
-{
-  return this->Nodes[static_cast<std::size_t>(row * this->Side + column)];
-}
-
-/// True if the rims of sun and Moon may touch at a node, or between it and its neighbours.
-bool EclipseField::Reaches() const
-{
-  double closest = this->Nodes.front().Distance(), step = 0.0;
-  for (std::ptrdiff_t j = 0; j < this->Side; ++j)
-  {
-    for (std::ptrdiff_t i = 0; i < this->Side; ++i)
-    {
-      const SunAndMoon& node = this->Node(i, j);
-      closest = std::min(closest, node.Distance() - node.Cover - 1.0);
-      step = std::max(step, i > 0 ? Difference(node, this->Node(i - 1, j)) : 0.0);
-      step = std::max(step, j > 0 ? Difference(node, this->Node(i, j - 1)) : 0.0);
-    }
-  }
-  return closest < step;
+  this->Lattice.Refine(place, EclipseTolerance, at, Difference, Reaches);
 }
 
 SunAndMoon EclipseField::At(double column, double row) const
 {
-  const LatticePlace across(column * this->NodesPerColumn, this->Side);
-  const LatticePlace along(row * this->NodesPerRow, this->Side);
-  return Mix(Mix(this->Node(across.Lower, along.Lower), this->Node(across.Lower, along.Upper),
-               along.Fraction),
-    Mix(
-      this->Node(across.Upper, along.Lower), this->Node(across.Upper, along.Upper), along.Fraction),
-    across.Fraction);
+  return this->Lattice.Interpolate(column, row);
 }
 
 void EclipseField::Uncovered(std::ptrdiff_t row, std::ptrdiff_t columnBegin, std::ptrdiff_t count,

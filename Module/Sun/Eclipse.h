@@ -5,6 +5,7 @@
 
 #include "Geo/Georeference.h"
 #include "SkylineCoreModule.h" // for the export macro
+#include "Sun/RefinedLattice.h"
 #include "Sun/UtcTime.h"
 
 #include <array>
@@ -66,6 +67,8 @@ private:
   bool Near = false;
 };
 
+SunAndMoon Mix(const SunAndMoon& a, const SunAndMoon& b, double fraction);
+
 /// Sun and Moon over a whole height field at one time, computed at the nodes of a lattice that is
 /// refined until interpolation keeps EclipseTolerance.
 class SKYLINECORE_EXPORT EclipseField
@@ -81,7 +84,7 @@ public:
 
   /// False where the Moon covers none of the sun at any post: then nothing is kept, and the sun and
   /// the Moon were compared once.
-  bool Any() const { return !this->Nodes.empty(); }
+  bool Any() const { return !this->Lattice.Nodes.empty(); }
 
   /// Only if Any().
   SunAndMoon At(double column, double row) const;
@@ -92,12 +95,7 @@ public:
     double limbDarkening, float* share) const;
 
 private:
-  const SunAndMoon& Node(std::ptrdiff_t column, std::ptrdiff_t row) const;
-  bool Reaches() const;
-
-  std::ptrdiff_t Side = 0;                        ///< nodes along each side
-  double NodesPerColumn = 0.0, NodesPerRow = 0.0; ///< lattice steps per post
-  std::vector<SunAndMoon> Nodes;                  ///< row by row from the south
+  RefinedLattice<SunAndMoon> Lattice; ///< no nodes: no eclipse
 };
 
 } // namespace skyline

@@ -16,7 +16,7 @@ namespace
 /// Posts looked at together: mostly all of them are lit, or all are in shadow.
 constexpr std::ptrdiff_t Block = 16;
 
-/// Azimuths that differ by less, in radians, are the same: what their way through degrees may cost.
+/// Azimuths that differ by less, in radians, are the same: their digits may differ.
 constexpr double SameAzimuth = 1e-9;
 
 /// A horizon slope as the sun meets it: the plain at the least.

@@ -17,20 +17,9 @@ namespace skyline
 namespace
 {
 
-/// Nodes along a side of the first and of the finest lattice; powers of two plus one, so that each
-/// lattice holds the one before.
-constexpr std::ptrdiff_t FirstSide = 5;
-constexpr std::ptrdiff_t LastSide = 257;
-
 /// Suns closer than this (degrees) everywhere are one: rounding of a raster whose axes are at right
 /// angles.
 constexpr double SameDirection = 1e-6;
-
-SunVector Mix(const SunVector& a, const SunVector& b, double fraction)
-{
-  const double rest = 1.0 - fraction;
-  return { rest * a.X + fraction * b.X, rest * a.Y + fraction * b.Y, rest * a.Z + fraction * b.Z };
-}
 
 SunVector FromAngles(double azimuth, double elevation)
 {
@@ -47,6 +36,12 @@ double Angle(const SunVector& a, const SunVector& b)
 }
 
 } // namespace
+
+SunVector Mix(const SunVector& a, const SunVector& b, double fraction)
+{
+  const double rest = 1.0 - fraction;
+  return { rest * a.X + fraction * b.X, rest * a.Y + fraction * b.Y, rest * a.Z + fraction * b.Z };
+}
 
 SunField::SunField(
   const Georeference& place, const UtcTime& time, double meanHeight, double ut1MinusUtc)
@@ -79,50 +74,8 @@ SunField::SunField(
 template <typename SunAt>
 void SunField::Fill(const Georeference& place, const SunAt& vectorAt)
 {
-  const double lastColumn = static_cast<double>(place.Columns - 1);
-  const double lastRow = static_cast<double>(place.Rows - 1);
-  const auto make = [&](std::ptrdiff_t side)
-  {
-    SunField field;
-    field.Side = side;
-    field.NodesPerColumn = static_cast<double>(side - 1) / lastColumn;
-    field.NodesPerRow = static_cast<double>(side - 1) / lastRow;
-    for (std::ptrdiff_t j = 0; j < side; ++j)
-    {
-      for (std::ptrdiff_t i = 0; i < side; ++i)
-      {
-        const double column = static_cast<double>(i) / field.NodesPerColumn;
-        const double row = static_cast<double>(j) / field.NodesPerRow;
-        field.Nodes.push_back(vectorAt(column, row));
-      }
-    }
-    return field;
-  };
-
-  // A lattice is good when it predicts the next finer one, which is then kept: its error is about
-  // a quarter of the one measured.
-  SunField field = make(FirstSide);
-  do
-  {
-    SunField finer = make(2 * field.Side - 1);
-    finer.Error = 0.0;
-    for (std::ptrdiff_t j = 0; j < finer.Side; ++j)
-    {
-      for (std::ptrdiff_t i = 0; i < finer.Side; ++i)
-      {
-        const SunVector predicted = field.Interpolate(static_cast<double>(i) / finer.NodesPerColumn,
-          static_cast<double>(j) / finer.NodesPerRow);
-        finer.Error = std::max(finer.Error, Angle(predicted, finer.Node(i, j)));
-      }
-    }
-    field = std::move(finer);
-  } while (field.Error > SunFieldTolerance && field.Side < LastSide);
-
-  this->Side = field.Side;
-  this->NodesPerColumn = field.NodesPerColumn;
-  this->NodesPerRow = field.NodesPerRow;
-  this->Nodes = std::move(field.Nodes);
-  this->Error = field.Error;
+  this->Lattice.Refine(place, SunFieldTolerance, vectorAt, Angle,
+    [](const RefinedLattice<SunVector>&) { return true; });
 }
 
 SunField SunField::Constant(double azimuth, double elevation, double radius)
@@ -143,7 +96,8 @@ SunField SunField::Constant(double azimuth, double elevation, double radius)
       " is outside 0 to 90; give degrees, 0.26645 for the sun seen from the Earth");
   }
   SunField field;
-  field.Nodes.push_back(FromAngles(std::fmod(azimuth, 360.0), elevation));
+  field.Lattice.Side = 1;
+  field.Lattice.Nodes.push_back(FromAngles(std::fmod(azimuth, 360.0), elevation));
   field.DiscRadius = radius;
   return field;
 }
@@ -160,8 +114,8 @@ SunField SunField::OnImage(
         const double direction = place.TrueAzimuthAt(column, row, std::fmod(azimuth, 360.0));
         return FromAngles(place.GroundAzimuthAt(column, row, direction), elevation);
       });
-    const SunVector& first = field.Nodes.front();
-    if (std::all_of(field.Nodes.begin(), field.Nodes.end(),
+    const SunVector& first = field.Lattice.Nodes.front();
+    if (std::all_of(field.Lattice.Nodes.begin(), field.Lattice.Nodes.end(),
           [&](const SunVector& node) { return Angle(first, node) <= SameDirection; }))
     {
       return Constant(azimuth, elevation, radius);
@@ -170,25 +124,9 @@ SunField SunField::OnImage(
   return field;
 }
 
-const SunVector& SunField::Node(std::ptrdiff_t column, std::ptrdiff_t row) const
-{
-  return this->Nodes[static_cast<std::size_t>(row * this->Side + column)];
-}
-
-SunVector SunField::Interpolate(double column, double row) const
-{
-  const LatticePlace across(column * this->NodesPerColumn, this->Side);
-  const LatticePlace along(row * this->NodesPerRow, this->Side);
-  const SunVector west = Mix(
-    this->Node(across.Lower, along.Lower), this->Node(across.Lower, along.Upper), along.Fraction);
-  const SunVector east = Mix(
-    this->Node(across.Upper, along.Lower), this->Node(across.Upper, along.Upper), along.Fraction);
-  return Mix(west, east, across.Fraction);
-}
-
 GridSun SunField::At(double column, double row) const
 {
-  const SunVector sun = this->Interpolate(column, row);
+  const SunVector sun = this->Lattice.Interpolate(column, row);
   GridSun result;
   result.Azimuth = AzimuthOf(sun.X, sun.Y);
   result.Elevation = std::atan2(sun.Z, std::hypot(sun.X, sun.Y)) * DegreesPerRadian;
@@ -199,19 +137,20 @@ GridSun SunField::At(double column, double row) const
 void SunField::Row(std::ptrdiff_t row, std::ptrdiff_t columnBegin, std::ptrdiff_t count, float* x,
   float* y, float* z) const
 {
-  const LatticePlace along(static_cast<double>(row) * this->NodesPerRow, this->Side);
+  const RefinedLattice<SunVector>& lattice = this->Lattice;
+  const LatticePlace along(static_cast<double>(row) * lattice.NodesPerRow, lattice.Side);
   std::ptrdiff_t cell = -1;
   SunVector west, east;
   for (std::ptrdiff_t i = 0; i < count; ++i)
   {
     const LatticePlace across(
-      static_cast<double>(columnBegin + i) * this->NodesPerColumn, this->Side);
+      static_cast<double>(columnBegin + i) * lattice.NodesPerColumn, lattice.Side);
     if (across.Lower != cell)
     {
       cell = across.Lower;
-      west = Mix(this->Node(across.Lower, along.Lower), this->Node(across.Lower, along.Upper),
+      west = Mix(lattice.At(across.Lower, along.Lower), lattice.At(across.Lower, along.Upper),
         along.Fraction);
-      east = Mix(this->Node(across.Upper, along.Lower), this->Node(across.Upper, along.Upper),
+      east = Mix(lattice.At(across.Upper, along.Lower), lattice.At(across.Upper, along.Upper),
         along.Fraction);
     }
     const SunVector sun = Mix(west, east, across.Fraction);
@@ -225,7 +164,7 @@ void SunField::Row(std::ptrdiff_t row, std::ptrdiff_t columnBegin, std::ptrdiff_
 void SunField::AzimuthBounds(double& first, double& last) const
 {
   std::vector<double> azimuths;
-  for (const SunVector& node : this->Nodes)
+  for (const SunVector& node : this->Lattice.Nodes)
   {
     azimuths.push_back(AzimuthOf(node.X, node.Y));
   }
@@ -255,7 +194,7 @@ void SunField::AzimuthBounds(double& first, double& last) const
 void SunField::ElevationBounds(double& least, double& greatest) const
 {
   double low = 1.0, high = -1.0;
-  for (const SunVector& node : this->Nodes)
+  for (const SunVector& node : this->Lattice.Nodes)
   {
     low = std::min(low, node.Z);
     high = std::max(high, node.Z);

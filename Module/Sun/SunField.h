@@ -5,10 +5,10 @@
 
 #include "Geo/Georeference.h"
 #include "SkylineCoreModule.h" // for the export macro
+#include "Sun/RefinedLattice.h"
 #include "Sun/UtcTime.h"
 
 #include <cstddef>
-#include <vector>
 
 namespace skyline
 {
@@ -31,6 +31,8 @@ struct SunVector
 {
   double X = 0.0, Y = 0.0, Z = 1.0;
 };
+
+SunVector Mix(const SunVector& a, const SunVector& b, double fraction);
 
 /// Sun directions of a height field at one time. They are computed at the nodes of a lattice of its
 /// own, which is refined until interpolation keeps SunFieldTolerance, and interpolated between:
@@ -57,7 +59,7 @@ public:
     const Georeference& place, double azimuth, double elevation, double radius);
 
   /// The sun has one direction everywhere.
-  bool Same() const { return this->Nodes.size() == 1; }
+  bool Same() const { return this->Lattice.Nodes.size() == 1; }
 
   /// The sun at a post; fractions are allowed, posts beyond the edge get the edge's sun.
   GridSun At(double column, double row) const;
@@ -80,20 +82,15 @@ public:
 
   /// Degrees: the greatest error of interpolation found when the lattice was made; below
   /// SunFieldTolerance unless the height field spans a large part of the globe.
-  double InterpolationError() const { return this->Error; }
+  double InterpolationError() const { return this->Lattice.Error; }
 
 private:
   SunField() = default;
   template <typename SunAt>
   void Fill(const Georeference& place, const SunAt& vectorAt);
-  const SunVector& Node(std::ptrdiff_t column, std::ptrdiff_t row) const;
-  SunVector Interpolate(double column, double row) const;
 
-  std::ptrdiff_t Side = 1;                        ///< nodes along each side
-  double NodesPerColumn = 0.0, NodesPerRow = 0.0; ///< lattice steps per post
-  std::vector<SunVector> Nodes;                   ///< row by row from the south
-  double DiscRadius = 0.0;                        ///< degrees
-  double Error = 0.0;                             ///< degrees
+  RefinedLattice<SunVector> Lattice; ///< one node: the same sun everywhere
+  double DiscRadius = 0.0;           ///< degrees
 };
 
 } // namespace skyline

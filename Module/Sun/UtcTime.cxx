@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sun/UtcTime.h"
 
+#include "Sun/Calendar.h"
+
 #include <erfa.h>
 
 #include <algorithm>
@@ -14,13 +16,6 @@ namespace
 {
 
 constexpr int MinutesPerDay = 24 * 60;
-
-int DaysInMonth(int year, int month)
-{
-  const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
-  const int days[] = { 31, leap ? 29 : 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
-  return days[month - 1];
-}
 
 /// Reads a text from left to right; free of the locale, which strtod is not.
 class Reader
@@ -136,26 +131,12 @@ int ReadZone(Reader& reader)
 void Subtract(int minutes, UtcTime& time)
 {
   int minute = 60 * time.Hour + time.Minute - minutes;
-  if (minute < 0)
-  {
-    minute += MinutesPerDay;
-    if (--time.Day < 1)
-    {
-      time.Month = time.Month == 1 ? 12 : time.Month - 1;
-      time.Year -= time.Month == 12 ? 1 : 0;
-      time.Day = DaysInMonth(time.Year, time.Month);
-    }
-  }
-  else if (minute >= MinutesPerDay)
-  {
-    minute -= MinutesPerDay;
-    if (++time.Day > DaysInMonth(time.Year, time.Month))
-    {
-      time.Day = 1;
-      time.Month = time.Month == 12 ? 1 : time.Month + 1;
-      time.Year += time.Month == 1 ? 1 : 0;
-    }
-  }
+  const int days = minute < 0 ? -1 : minute / MinutesPerDay;
+  minute -= days * MinutesPerDay;
+  const CalendarDate date = DateOfDay(DayNumber({ time.Year, time.Month, time.Day + days }));
+  time.Year = date.Year;
+  time.Month = date.Month;
+  time.Day = date.Day;
   time.Hour = minute / 60;
   time.Minute = minute % 60;
 }

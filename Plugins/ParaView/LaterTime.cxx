@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LaterTime.h"
 
+#include "Sun/Calendar.h"
 #include "Sun/UtcTime.h"
 
 #include <cmath>
-#include <ctime>
+#include <cstdint>
 #include <stdexcept>
 
 namespace skyline
 {
+
+namespace
+{
+
+constexpr std::int64_t SecondsPerDay = 86400;
+
+} // namespace
 
 std::string LaterTime(const std::string& time, double hours)
 {
@@ -22,22 +30,19 @@ std::string LaterTime(const std::string& time, double hours)
     return time;
   }
   UtcTime moment = ParseUtcTime(time);
-  std::tm clock{};
-  clock.tm_year = moment.Year - 1900;
-  clock.tm_mon = moment.Month - 1;
-  clock.tm_mday = moment.Day;
-  clock.tm_hour = moment.Hour;
-  clock.tm_min = moment.Minute;
   const double seconds = moment.Second + 3600.0 * hours;
   const double whole = std::floor(seconds);
-  const std::time_t later = timegm(&clock) + static_cast<std::time_t>(whole);
-  gmtime_r(&later, &clock);
-  moment.Year = clock.tm_year + 1900;
-  moment.Month = clock.tm_mon + 1;
-  moment.Day = clock.tm_mday;
-  moment.Hour = clock.tm_hour;
-  moment.Minute = clock.tm_min;
-  moment.Second = clock.tm_sec + (seconds - whole);
+  const std::int64_t clock =
+    3600 * moment.Hour + 60 * moment.Minute + static_cast<std::int64_t>(whole);
+  const std::int64_t left = (clock % SecondsPerDay + SecondsPerDay) % SecondsPerDay;
+  const auto days = static_cast<int>((clock - left) / SecondsPerDay);
+  const CalendarDate date = DateOfDay(DayNumber({ moment.Year, moment.Month, moment.Day + days }));
+  moment.Year = date.Year;
+  moment.Month = date.Month;
+  moment.Day = date.Day;
+  moment.Hour = static_cast<int>(left / 3600);
+  moment.Minute = static_cast<int>(left / 60 % 60);
+  moment.Second = static_cast<double>(left % 60) + (seconds - whole);
   return ToText(moment);
 }
 

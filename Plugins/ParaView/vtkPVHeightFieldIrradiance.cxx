@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVHeightFieldIrradiance.h"
 
+#include "Data/ErrorReason.h"
 #include "LaterTime.h"
 #include "LightPasses.h"
 #include "Shared/Constants.h"
@@ -17,20 +18,6 @@
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkPVHeightFieldIrradiance);
-
-namespace
-{
-
-// The part of an error message after the place in the source and the address of the object.
-std::string ReasonOf(std::string report)
-{
-  const std::size_t place = report.find("): ");
-  report.erase(0, place == std::string::npos ? 0 : place + 3);
-  report.erase(report.find_last_not_of(" \n") + 1);
-  return report;
-}
-
-} // namespace
 
 vtkPVHeightFieldIrradiance::vtkPVHeightFieldIrradiance()
 {
@@ -106,7 +93,7 @@ void vtkPVHeightFieldIrradiance::RemoveAllLamps()
 }
 
 // Sets the direction of the sun. The CIE and Perez skies are brightest there, too.
-void vtkPVHeightFieldIrradiance::PlaceSun(const skyline::HorizonScene& scene)
+void vtkPVHeightFieldIrradiance::PlaceSun(const skyline::HorizonDriver& driver)
 {
   this->SunLight->SetSwitch(this->Sun != NO_SUN);
   this->SunLight->SetUseTime(this->Sun == SUN_BY_TIME);
@@ -118,7 +105,7 @@ void vtkPVHeightFieldIrradiance::PlaceSun(const skyline::HorizonScene& scene)
     }
     this->SunLight->SetTime(skyline::LaterTime(this->SunTime, this->HoursLater).c_str());
   }
-  const skyline::SkyDisc disc = skyline::DiscOf(this->SunLight, scene);
+  const skyline::SkyDisc disc = skyline::DiscOf(this->SunLight, driver);
   this->SkyLight->SetSunAzimuth(disc.Azimuth * skyline::DegreesPerRadian);
   this->SkyLight->SetSunElevation(disc.Elevation * skyline::DegreesPerRadian);
 }
@@ -144,15 +131,15 @@ void vtkPVHeightFieldIrradiance::ReadEnvironment()
   reader->Update();
   if (reader->GetErrorCode() != 0)
   {
-    throw std::invalid_argument(ReasonOf(report));
+    throw std::invalid_argument(skyline::ErrorReason(report));
   }
   this->SkyLight->SetImage(reader->GetOutput());
   this->ReadFile = this->EnvironmentFile;
 }
 
-bool vtkPVHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+bool vtkPVHeightFieldIrradiance::Compute(skyline::HorizonDriver& driver, vtkImageData* output)
 {
-  this->PlaceSun(scene);
+  this->PlaceSun(driver);
   this->SkyLight->SetSwitch(this->Sky != NO_SKY);
   this->SkyLight->SetRotation(this->Sky == FILE_SKY ? this->Rotation : 0.0);
   if (this->Sky == FILE_SKY)
@@ -173,7 +160,7 @@ bool vtkPVHeightFieldIrradiance::Compute(skyline::HorizonScene& scene, vtkImageD
     default:
       this->SkyLight->SetSourceToUniform();
   }
-  return this->Superclass::Compute(scene, output);
+  return this->Superclass::Compute(driver, output);
 }
 
 void vtkPVHeightFieldIrradiance::PrintSelf(ostream& os, vtkIndent indent)

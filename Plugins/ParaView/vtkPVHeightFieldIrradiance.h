@@ -111,7 +111,7 @@ protected:
   vtkPVHeightFieldIrradiance();
   ~vtkPVHeightFieldIrradiance() override;
 
-  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+  bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
   int Sun = SUN_BY_DIRECTION;
   std::string SunTime;
@@ -121,7 +121,7 @@ protected:
   double Rotation = 0.0;
 
 private:
-  void PlaceSun(const skyline::HorizonScene& scene);
+  void PlaceSun(const skyline::HorizonDriver& driver);
   void ReadEnvironment();
 
   vtkNew<vtkSkylineSunLight> SunLight;

@@ -14,11 +14,11 @@ void vtkPVHeightFieldSunShadow::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HoursLater: " << this->HoursLater << "\n";
 }
 
-bool vtkPVHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData* output)
+bool vtkPVHeightFieldSunShadow::Compute(skyline::HorizonDriver& driver, vtkImageData* output)
 {
   if (!this->UseTime)
   {
-    return this->Superclass::Compute(scene, output);
+    return this->Superclass::Compute(driver, output);
   }
   struct Restorer
   {
@@ -28,5 +28,5 @@ bool vtkPVHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageDa
   };
   const Restorer restorer{ this->Time, this->Time };
   this->Time = skyline::LaterTime(this->Time, this->HoursLater);
-  return this->Superclass::Compute(scene, output);
+  return this->Superclass::Compute(driver, output);
 }

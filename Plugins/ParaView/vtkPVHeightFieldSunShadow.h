@@ -30,7 +30,7 @@ protected:
   vtkPVHeightFieldSunShadow() = default;
   ~vtkPVHeightFieldSunShadow() override = default;
 
-  bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
+  bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
   double HoursLater = 0.0;
 

@@ -79,8 +79,7 @@ HorizonsAt ReconstructedHorizons(
   settings.LevelOffset = levelOffset;
   return [=, &scene](double azimuth)
   {
-    const auto reaches =
-      PyramidReaches(*pyramid, settings, scene.Posts, azimuth * DegreesPerRadian);
+    const auto reaches = PyramidReaches(*pyramid, settings, scene.Posts, azimuth);
     std::vector<float> horizons;
     std::vector<double> angles(reaches.size());
     for (std::ptrdiff_t row = 0; row < scene.Posts.Rows; ++row)

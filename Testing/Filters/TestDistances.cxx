@@ -4,7 +4,8 @@
 #include "GroundCases.h"
 
 #include "Data/ImageGeoreference.h"
-#include "HorizonScene.h"
+#include "Geo/RayFan.h"
+#include "HorizonDriver.h"
 #include "Shared/Constants.h"
 #include "vtkHeightFieldReader.h"
 
@@ -282,26 +283,25 @@ private:
         heights->SetValue(r * Posts + c, static_cast<float>(height));
       }
     }
-    HorizonScene::Options options;
-    options.Flat = true;
-    HorizonScene scene(this->Image, heights, options);
-    // Azimuths relative to one of the axes, as the scene counts them. Within a degree, all of them
+    HorizonInput input(this->Image, heights);
+    HorizonDriver driver(input, HorizonSettings());
+    // Azimuths relative to one of the axes, as the driver counts them. Within a degree, all of them
     // turn equally.
     const double before = trueAzimuth - Turn * Turns, after = trueAzimuth + Turn * Turns;
     const auto counted = [&](double azimuth)
     {
       return axes == AzimuthAxes::Image ? place.GridAzimuthAt(column, row, azimuth)
-                                        : scene.Place().AxisAzimuthAt(column, row, azimuth);
+                                        : input.Place().AxisAzimuthAt(column, row, azimuth);
     };
     const double from = counted(before);
     const double width = std::remainder(counted(after) - from, 360.0);
     std::vector<double> azimuths;
     for (int k = 0; k <= 2 * Turns; ++k)
     {
-      azimuths.push_back(from + width * k / (2.0 * Turns));
+      azimuths.push_back((from + width * k / (2.0 * Turns)) * RadiansPerDegree);
     }
     OnePost post(column, row);
-    scene.Run(azimuths, 0.0, post, axes);
+    driver.Run(azimuths, 0.0, post, axes);
     const auto highest = std::max_element(post.Slopes.begin(), post.Slopes.end());
     // The middle of the directions in which the slope is the highest, up to rounding.
     const auto high = [&](float slope) { return slope >= *highest * (1.0f - 1e-6f); };
@@ -310,8 +310,8 @@ private:
     const double place0 = static_cast<double>(first - post.Slopes.begin());
     const double place1 = static_cast<double>(post.Slopes.rend() - final - 1);
     found = (0.5 * (place0 + place1) - Turns) * Turn;
-    worst.Rays = std::max(
-      worst.Rays, RayFan(scene.Ground(), from, axes == AzimuthAxes::Image, true).Directions.size());
+    worst.Rays = std::max(worst.Rays,
+      RayFan(input.Ground(), azimuths.front(), axes == AzimuthAxes::Image, true).Directions.size());
     return *highest;
   }
 

@@ -127,7 +127,7 @@ protected:
     const Grid& grid = posts.Posts();
     const std::ptrdiff_t side = grid.Columns;
     const auto method = MakeHorizonMethod(posts, HorizonSettings());
-    method->SetAzimuth(grid, azimuth);
+    method->SetAzimuth(grid, azimuth * RadiansPerDegree);
     method->Prepare(0, method->PrepareCount());
     const RayFrame& frame = method->Frame();
     constexpr std::ptrdiff_t lines = 4, block = 32;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Passes.h"
 
+#include "Data/ErrorReason.h"
 #include "Failure.h"
 #include "Interrupt.h"
 #include "IoFailure.h"
@@ -204,10 +205,7 @@ void PrintWarning(const std::string& text, const Talk& talk)
 
 std::string ReasonOf(const std::string& text)
 {
-  std::size_t begin = text.find("): ");
-  begin = begin == std::string::npos ? 0 : begin + 3;
-  begin = std::min(text.find_first_not_of(" \t\r\n", begin), text.size());
-  return FirstLine(text.substr(begin));
+  return FirstLine(ErrorReason(text));
 }
 
 void RunPass(vtkAlgorithm* algorithm, const std::string& title, const Talk& talk,

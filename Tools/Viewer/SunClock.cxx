@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SunClock.h"
 
+#include "Sun/Calendar.h"
 #include "Sun/UtcTime.h"
 
 #include <algorithm>
@@ -13,17 +14,6 @@ namespace
 
 constexpr double DegreesAnHour = 15.0;
 constexpr double LastMinute = skyline::SunClock::MinutesOfDay - 1.0 / 60.0;
-
-bool IsLeap(int year)
-{
-  return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
-}
-
-int DaysOfMonth(int year, int month)
-{
-  const bool shortOne = month == 4 || month == 6 || month == 9 || month == 11;
-  return month == 2 ? (IsLeap(year) ? 29 : 28) : shortOne ? 30 : 31;
-}
 
 template <typename... Numbers>
 std::string Format(const char* format, Numbers... numbers)
@@ -52,11 +42,7 @@ SunClock::SunClock(const std::string& time, int zone)
       " to " + std::to_string(LastYear) + ", not " + std::to_string(utc.Year));
   }
   this->Year = utc.Year;
-  this->DayOfYear = utc.Day;
-  for (int month = 1; month < utc.Month; ++month)
-  {
-    this->DayOfYear += DaysOfMonth(utc.Year, month);
-  }
+  this->DayOfYear = DayNumber({ utc.Year, utc.Month, utc.Day }) - DayNumber({ utc.Year, 1, 1 }) + 1;
   this->Zone = zone;
   this->AddMinutes(60.0 * (utc.Hour + zone) + utc.Minute + std::min(utc.Second, 59.0) / 60.0);
 }
@@ -71,7 +57,7 @@ SunClock::SunClock(int year, int dayOfYear, double minutes, int zone)
 
 int SunClock::DaysOfYear() const
 {
-  return IsLeap(this->Year) ? 366 : 365;
+  return DaysInYear(this->Year);
 }
 
 void SunClock::SetDayOfYear(int day)
@@ -116,13 +102,9 @@ void SunClock::TurnMinutes(double minutes)
 
 void SunClock::MonthAndDay(int& month, int& day) const
 {
-  month = 1;
-  day = this->DayOfYear;
-  while (day > DaysOfMonth(this->Year, month))
-  {
-    day -= DaysOfMonth(this->Year, month);
-    ++month;
-  }
+  const CalendarDate date = DateOfDay(DayNumber({ this->Year, 1, this->DayOfYear }));
+  month = date.Month;
+  day = date.Day;
 }
 
 int SunClock::Seconds() const

@@ -94,7 +94,8 @@ TEST(GroundMetric, ImageAzimuthsToTheGround)
   for (const double azimuth : { 0.0, 30.0, 90.0, 200.0, 315.0, 725.0 })
   {
     const double truth = place.TrueAzimuthAt(40.0, 70.0, azimuth);
-    EXPECT_NEAR(Turn(metric.GroundAzimuth(metric.At(40.0, 70.0), azimuth),
+    EXPECT_NEAR(Turn(metric.GroundAzimuth(metric.At(40.0, 70.0), azimuth * RadiansPerDegree) *
+                    DegreesPerRadian,
                   place.GroundAzimuthAt(40.0, 70.0, truth)),
       0.0, 0.01);
   }
@@ -180,7 +181,7 @@ TEST(RayFan, RaysStayBesideTheirAzimuth)
   const GroundMetric metric(place, { 500.0, 500.0 });
   for (const double azimuth : { 0.0, 35.0, 90.0, 201.0, 300.0 })
   {
-    const RayFan fan(metric, azimuth, false, true);
+    const RayFan fan(metric, azimuth * RadiansPerDegree, false, true);
     EXPECT_EQ(fan.Directions.size() > 3, azimuth != 0.0); // rows follow the +y axis by definition
     std::vector<float> directions(801), lengths(801);
     for (const std::ptrdiff_t row : { 0, 77, 300, 600 })
@@ -195,7 +196,7 @@ TEST(RayFan, RaysStayBesideTheirAzimuth)
         {
           const float below = std::floor(directions[column]);
           const auto ray = std::min(static_cast<std::size_t>(below) + k, fan.Directions.size() - 1);
-          const double angle = fan.Directions[ray] * RadiansPerDegree;
+          const double angle = fan.Directions[ray];
           const double columns = std::sin(angle) / used.X;
           const double rows = (std::cos(angle) - used.Shear * columns) / used.Y;
           const double found =
@@ -214,11 +215,11 @@ TEST(RayFan, RaysStayBesideTheirAzimuth)
 TEST(RayFan, OneRayWhereOneIsEnough)
 {
   const Georeference small = SinusoidalPlace(11, 11, 30.0);
-  EXPECT_TRUE(RayFan(GroundMetric(small, { 30.0, 30.0 }), 45.0, false, true).IsOne());
+  EXPECT_TRUE(RayFan(GroundMetric(small, { 30.0, 30.0 }), 0.25 * Pi, false, true).IsOne());
   const Georeference large = SinusoidalPlace(301, 201, 1000.0);
   const GroundMetric metric(large, { 1000.0, 1000.0 });
-  EXPECT_FALSE(RayFan(metric, 45.0, false, true).IsOne());
-  EXPECT_TRUE(RayFan(metric, 45.0, true, false).IsOne());
+  EXPECT_FALSE(RayFan(metric, 0.25 * Pi, false, true).IsOne());
+  EXPECT_TRUE(RayFan(metric, 0.25 * Pi, true, false).IsOne());
 }
 
 // A straight line that starts to the east turns away from its parallel by tan(latitude) / R per

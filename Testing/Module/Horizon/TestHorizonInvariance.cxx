@@ -170,7 +170,7 @@ TEST(DirectionOfAzimuth, IsExactAtMultiplesOf45)
   {
     for (int k = 0; k < 8; ++k)
     {
-      const Direction direction = DirectionOfAzimuth(45.0 * k + 360.0 * turn);
+      const Direction direction = DirectionOfAzimuth((45.0 * k + 360.0 * turn) * RadiansPerDegree);
       EXPECT_EQ(direction.East, expected[static_cast<std::size_t>(k)].first);
       EXPECT_EQ(direction.North, expected[static_cast<std::size_t>(k)].second);
     }

@@ -326,7 +326,7 @@ TEST(HorizonSweep, SamplesDoNotGrowWithTheAspect)
   const auto sweep = MakeHorizonMethod(posts, settings);
   for (const double azimuth : { 0.0, 45.0, 89.97, 90.0 })
   {
-    sweep->SetAzimuth(GridOf(field), azimuth);
+    sweep->SetAzimuth(GridOf(field), azimuth * RadiansPerDegree);
     EXPECT_LE(sweep->PrepareCount(), field.Columns + field.Rows) << azimuth;
   }
 }
@@ -342,7 +342,7 @@ TEST(HorizonSweep, KeepsAPlane)
   const auto sweep = MakeHorizonMethod(posts, settings);
   for (const double azimuth : { 20.0, 77.0, 140.0, 290.0 })
   {
-    const Direction direction = DirectionOfAzimuth(azimuth);
+    const Direction direction = DirectionOfAzimuth(azimuth * RadiansPerDegree);
     const double slope = 0.3 * direction.East - 0.2 * direction.North;
     const std::vector<float> found = Slopes(*sweep, GridOf(field), azimuth);
     for (std::ptrdiff_t row = 2; row < field.Rows - 2; ++row)

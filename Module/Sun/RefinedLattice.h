@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Values over a height field that are costly to compute: at the nodes of a lattice, linear between them.
+#ifndef skyline_RefinedLattice_h
+#define skyline_RefinedLattice_h
+
+#include "Geo/Georeference.h"
+#include "Geo/LatticePlace.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace skyline
+{
+
+/// Node: has a function Mix(a, b, fraction) beside it.
+template <typename Node>
+struct RefinedLattice
+{
+  std::ptrdiff_t Side = 0;                        ///< nodes along each side
+  double NodesPerColumn = 0.0, NodesPerRow = 0.0; ///< lattice steps per post
+  std::vector<Node> Nodes;                        ///< row by row from the south
+  double Error = 0.0;                             ///< the greatest that Refine found
+
+  const Node& At(std::ptrdiff_t column, std::ptrdiff_t row) const
+  {
+    return this->Nodes[static_cast<std::size_t>(row * this->Side + column)];
+  }
+
+  /// At a post; beyond the edge the edge's counts.
+  Node Interpolate(double column, double row) const
+  {
+    const LatticePlace across(column * this->NodesPerColumn, this->Side);
+    const LatticePlace along(row * this->NodesPerRow, this->Side);
+    return Mix(
+      Mix(this->At(across.Lower, along.Lower), this->At(across.Lower, along.Upper), along.Fraction),
+      Mix(this->At(across.Upper, along.Lower), this->At(across.Upper, along.Upper), along.Fraction),
+      across.Fraction);
+  }
+
+  /// Makes the nodes, valueAt(column, row), of the coarsest lattice whose `difference(interpolated, true)` is
+  /// at most `tolerance`, or of the finest one. Stops with an empty lattice once wanted(lattice) is false.
+  template <typename ValueAt, typename Difference, typename Wanted>
+  void Refine(const Georeference& place, double tolerance, const ValueAt& valueAt,
+    const Difference& difference, const Wanted& wanted)
+  {
+    // Powers of two plus one, so that each lattice holds the one before.
+    constexpr std::ptrdiff_t firstSide = 5, lastSide = 257;
+    RefinedLattice lattice = Make(place, firstSide, valueAt);
+    // A lattice is good when it predicts the next finer one, which is then kept: its error is about a
+    // quarter of the one measured.
+    do
+    {
+      if (!wanted(lattice))
+      {
+        return;
+      }
+      RefinedLattice finer = Make(place, 2 * lattice.Side - 1, valueAt);
+      for (std::ptrdiff_t j = 0; j < finer.Side; ++j)
+      {
+        for (std::ptrdiff_t i = 0; i < finer.Side; ++i)
+        {
+          const Node predicted = lattice.Interpolate(static_cast<double>(i) / finer.NodesPerColumn,
+            static_cast<double>(j) / finer.NodesPerRow);
+          finer.Error = std::max(finer.Error, difference(predicted, finer.At(i, j)));
+        }
+      }
+      lattice = std::move(finer);
+    } while (lattice.Error > tolerance && lattice.Side < lastSide);
+    *this = std::move(lattice);
+  }
+
+private:
+  template <typename ValueAt>
+  static RefinedLattice Make(const Georeference& place, std::ptrdiff_t side, const ValueAt& valueAt)
+  {
+    RefinedLattice lattice;
+    lattice.Side = side;
+    lattice.NodesPerColumn = static_cast<double>(side - 1) / static_cast<double>(place.Columns - 1);
+    lattice.NodesPerRow = static_cast<double>(side - 1) / static_cast<double>(place.Rows - 1);
+    for (std::ptrdiff_t j = 0; j < side; ++j)
+    {
+      for (std::ptrdiff_t i = 0; i < side; ++i)
+      {
+        lattice.Nodes.push_back(valueAt(static_cast<double>(i) / lattice.NodesPerColumn,
+          static_cast<double>(j) / lattice.NodesPerRow));
+      }
+    }
+    return lattice;
+  }
+};
+
+} // namespace skyline
+
+#endif
