@@ -3,9 +3,8 @@
 
 #include "HorizonScene.h"
 #include "Lamps/LampIrradiance.h"
-#include "Sun/Eclipse.h"
+#include "PlacedSun.h"
 #include "Sun/SunAccumulator.h"
-#include "Sun/SunField.h"
 #include "vtkSkylineKeyLight.h"
 #include "vtkSkylineLampLight.h"
 #include "vtkSkylineSunLight.h"
@@ -133,20 +132,16 @@ SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonScene& scene)
   SkyDisc disc = DiscOf(light);
   if (light->GetUseTime())
   {
-    const SunField sun(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight());
-    const GridSun middle = sun.At(0.5 * static_cast<double>(scene.Posts().Columns - 1),
-      0.5 * static_cast<double>(scene.Posts().Rows - 1));
+    const SunField sun = SunFieldOf(light, scene.Place(), scene.MeanHeight());
+    const GridSun middle = InTheMiddle(sun, scene.Place());
     disc.Azimuth = middle.Azimuth * RadiansPerDegree;
     disc.Elevation = middle.Elevation * RadiansPerDegree;
-    disc.Radius = light->GetTrueRadius() ? middle.Radius * RadiansPerDegree : disc.Radius;
-    const EclipseField eclipse(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight());
+    disc.Radius = RadiusOf(light, sun) * RadiansPerDegree;
+    const EclipseField eclipse = EclipseFieldOf(light, scene.Place(), scene.MeanHeight());
     if (eclipse.Any())
     {
       const double covered =
-        eclipse
-          .At(0.5 * static_cast<double>(scene.Posts().Columns - 1),
-            0.5 * static_cast<double>(scene.Posts().Rows - 1))
-          .Obscuration(light->GetLimbDarkening() ? EddingtonLimbDarkening : 0.0);
+        InTheMiddle(eclipse, scene.Place()).Obscuration(LimbDarkeningOf(light));
       for (double& channel : disc.Irradiance)
       {
         channel *= 1.0 - covered;
@@ -163,9 +158,7 @@ SkyDisc InMiddle(SkyDisc disc, const HorizonScene& scene)
     disc.Elevation * DegreesPerRadian, disc.Radius * DegreesPerRadian);
   if (!field.Same())
   {
-    const GridSun middle = field.At(0.5 * static_cast<double>(scene.Posts().Columns - 1),
-      0.5 * static_cast<double>(scene.Posts().Rows - 1));
-    disc.Azimuth = middle.Azimuth * RadiansPerDegree;
+    disc.Azimuth = InTheMiddle(field, scene.Place()).Azimuth * RadiansPerDegree;
   }
   return disc;
 }
@@ -282,18 +275,10 @@ bool AddSun(
   HorizonScene& scene, HorizonCache& cache, vtkSkylineSunLight* light, const LitPosts& posts)
 {
   SkyDisc disc = DiscOf(light);
-  const double darkening = light->GetLimbDarkening() ? EddingtonLimbDarkening : 0.0;
-  const SunField sun = light->GetUseTime()
-    ? SunField(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight())
-    : SunField::OnImage(scene.Place(), std::fmod(light->GetAzimuth(), 360.0), light->GetElevation(),
-        light->GetAngularRadius());
-  const EclipseField eclipse = light->GetUseTime()
-    ? EclipseField(scene.Place(), ParseUtcTime(light->GetTime()), scene.MeanHeight())
-    : EclipseField();
-  if (light->GetUseTime() && light->GetTrueRadius())
-  {
-    disc.Radius = sun.Radius() * RadiansPerDegree;
-  }
+  const SunField sun = SunFieldOf(light, scene.Place(), scene.MeanHeight());
+  const EclipseField eclipse = EclipseFieldOf(light, scene.Place(), scene.MeanHeight());
+  disc.Radius = RadiusOf(light, sun) * RadiansPerDegree;
+  const double darkening = LimbDarkeningOf(light);
   return AddSun(scene, cache, sun, eclipse, disc, darkening, posts);
 }
 

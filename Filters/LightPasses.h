@@ -47,9 +47,8 @@ SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonScene& scene);
 /// A disc with an azimuth on the image as it stands over the middle of the scene.
 SkyDisc InMiddle(SkyDisc disc, const HorizonScene& scene);
 
-/// Discs up to this radius, radians, are lit as a whole and shadowed by their lit part; of larger
-/// ones the parts have different cosines, and they become light maps.
-constexpr double LargestSun = 3.0 * RadiansPerDegree;
+/// LargestSunRadius in radians; larger discs become light maps.
+constexpr double LargestSun = LargestSunRadius * RadiansPerDegree;
 
 /// A light map that holds a disc alone, with pixels of a sixteenth of its radius or less.
 std::vector<float> DrawDisc(const SkyDisc& disc, int& columns, int& rows);

@@ -2,6 +2,7 @@
 #include "vtkHeightFieldAlgorithm.h"
 
 #include "Data/vtkSkylineWarning.h"
+#include "HeightArray.h"
 #include "HorizonScene.h"
 #include "Shared/Constants.h"
 #include "WholeField.h"
@@ -12,8 +13,8 @@
 #include "vtkInformationVector.h"
 #include "vtkVersionMacros.h"
 
-#include <exception>
-#include <new>
+#include <stdexcept>
+#include <string>
 
 namespace
 {
@@ -67,76 +68,65 @@ int vtkHeightFieldAlgorithm::RequestData(
   vtkImageData* input = vtkImageData::GetData(in[0]);
   vtkImageData* output = vtkImageData::GetData(out);
   vtkDataArray* heights = this->GetInputArrayToProcess(0, in);
-  try
+  const std::string failure = skyline::ReasonOfFailure(input,
+    [&]
+    {
+      skyline::CheckWhole(in[0]->GetInformationObject(0));
+      skyline::CheckHeights(input, heights);
+      this->Search(input, heights, output);
+    });
+  if (!failure.empty())
   {
-    skyline::CheckWhole(in[0]->GetInformationObject(0));
-    if (heights == nullptr || heights->GetNumberOfTuples() != input->GetNumberOfPoints())
-    {
-      throw std::invalid_argument(
-        "the input has no heights: name its point array by SetInputArrayToProcess");
-    }
-    if (heights->GetNumberOfComponents() != 1)
-    {
-      throw std::invalid_argument("the heights have " +
-        std::to_string(heights->GetNumberOfComponents()) + " components; give one a post");
-    }
-    if (!(this->RefractionCoefficient >= LeastRefraction && this->RefractionCoefficient < 1.0))
-    {
-      throw std::invalid_argument("the refraction coefficient is " +
-        std::to_string(this->RefractionCoefficient) + "; give -100 to below 1, 0.13 in usual air");
-    }
-    skyline::HorizonScene::Options options;
-    options.Settings.Method = static_cast<skyline::HorizonMethodKind>(this->Method);
-    options.Settings.Shape = static_cast<skyline::Surface>(this->Surface);
-    options.Settings.Tolerance = this->Tolerance * skyline::RadiansPerDegree;
-    options.Settings.Pyramid = { this->LevelStep, this->LevelOffset, this->LevelDistance,
-      this->LevelSpline };
-    options.Flat = this->Flat;
-    options.Refraction = this->RefractionCoefficient;
-    if (this->Method != PYRAMID)
-    {
-      this->Kept->Pyramid = nullptr;
-    }
-    options.Kept = this->Kept.get();
-    skyline::HorizonScene scene(input, heights, options);
-    scene.Progress = [this](double part)
-    {
-      this->UpdateProgress(part);
+    output->Initialize();
+    vtkErrorMacro(<< failure);
+    return 0;
+  }
+  skyline::KeepPiece(out->GetInformationObject(0));
+  return 1;
+}
+
+void vtkHeightFieldAlgorithm::Search(
+  vtkImageData* input, vtkDataArray* heights, vtkImageData* output)
+{
+  if (!(this->RefractionCoefficient >= LeastRefraction && this->RefractionCoefficient < 1.0))
+  {
+    throw std::invalid_argument("the refraction coefficient is " +
+      std::to_string(this->RefractionCoefficient) + "; give -100 to below 1, 0.13 in usual air");
+  }
+  skyline::HorizonScene::Options options;
+  options.Settings.Method = static_cast<skyline::HorizonMethodKind>(this->Method);
+  options.Settings.Shape = static_cast<skyline::Surface>(this->Surface);
+  options.Settings.Tolerance = this->Tolerance * skyline::RadiansPerDegree;
+  options.Settings.Pyramid = { this->LevelStep, this->LevelOffset, this->LevelDistance,
+    this->LevelSpline };
+  options.Flat = this->Flat;
+  options.Refraction = this->RefractionCoefficient;
+  if (this->Method != PYRAMID)
+  {
+    this->Kept->Pyramid = nullptr;
+  }
+  options.Kept = this->Kept.get();
+  skyline::HorizonScene scene(input, heights, options);
+  scene.Progress = [this](double part)
+  {
+    this->UpdateProgress(part);
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-      return !this->CheckAbort();
+    return !this->CheckAbort();
 #else
-      return this->GetAbortExecute() == 0;
+    return this->GetAbortExecute() == 0;
 #endif
-    };
-    output->ShallowCopy(input);
-    const bool finished = this->Compute(scene, output);
-    for (const skyline::Doubt& doubt : scene.Doubts)
-    {
-      skyline::Warn(this, doubt);
-    }
-    this->PrepareSeconds = scene.PrepareSeconds;
-    this->SearchSeconds = scene.SearchSeconds;
-    this->PyramidBuilds = scene.PyramidBuilds;
-    if (!finished)
-    {
-      output->Initialize();
-    }
-    skyline::KeepPiece(out->GetInformationObject(0));
-    return 1;
-  }
-  catch (const std::bad_alloc&)
+  };
+  output->ShallowCopy(input);
+  const bool finished = this->Compute(scene, output);
+  for (const skyline::Doubt& doubt : scene.Doubts)
   {
-    const int* posts = input->GetDimensions();
-    output->Initialize();
-    vtkErrorMacro(<< "not enough memory for " << posts[0] << " x " << posts[1]
-                  << " posts (std::bad_alloc); ask for less at a time, cut the raster "
-                     "(gdal_translate -srcwin) or make it coarser (-tr)");
-    return 0;
+    skyline::Warn(this, doubt);
   }
-  catch (const std::exception& reason)
+  this->PrepareSeconds = scene.PrepareSeconds;
+  this->SearchSeconds = scene.SearchSeconds;
+  this->PyramidBuilds = scene.PyramidBuilds;
+  if (!finished)
   {
     output->Initialize();
-    vtkErrorMacro(<< reason.what());
-    return 0;
   }
 }

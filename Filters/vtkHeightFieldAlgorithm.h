@@ -25,6 +25,7 @@ namespace skyline
 class HorizonScene;
 struct KeptPyramid;
 } // namespace skyline
+class vtkDataArray;
 class vtkImageData;
 
 class SKYLINEFILTERS_EXPORT vtkHeightFieldAlgorithm : public vtkImageAlgorithm
@@ -138,6 +139,8 @@ protected:
   int PyramidBuilds = 0;
 
 private:
+  void Search(vtkImageData* input, vtkDataArray* heights, vtkImageData* output);
+
   vtkHeightFieldAlgorithm(const vtkHeightFieldAlgorithm&) = delete;
   void operator=(const vtkHeightFieldAlgorithm&) = delete;
 

@@ -3,9 +3,9 @@
 
 #include "Data/vtkSkylineWarning.h"
 #include "HorizonScene.h"
+#include "PlacedSun.h"
 #include "ShadowHeight/ShadowHeight.h"
 #include "ShadowHeight/ShadowHeightSweep.h"
-#include "Sun/SunField.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -83,15 +83,27 @@ private:
   bool BelowTerrain;
 };
 
+// The sun as one direction on the image: by time that over the middle of the posts.
+skyline::GridSun OneSun(vtkSkylineSunLight* light, const skyline::HorizonScene& scene)
+{
+  skyline::Georeference place = scene.Place();
+  place.GroundAxes = false;
+  const skyline::SunField field = skyline::SunFieldOf(light, place, scene.MeanHeight());
+  if (!light->GetUseTime())
+  {
+    return { light->GetAzimuth(), light->GetElevation(), light->GetAngularRadius() };
+  }
+  skyline::GridSun sun = skyline::InTheMiddle(field, place);
+  sun.Radius = skyline::RadiusOf(light, field);
+  return sun;
+}
+
 } // namespace
 
 void vtkShadowHeightMap::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SunAzimuth: " << this->SunAzimuth << "\n"
-     << indent << "SunElevation: " << this->SunElevation << "\n"
-     << indent << "SunAngularRadius: " << this->SunAngularRadius << "\n"
-     << indent << "Soft: " << this->Soft << "\n"
+  os << indent << "Soft: " << this->Soft << "\n"
      << indent << "BelowTerrain: " << this->BelowTerrain << "\n";
 }
 
@@ -107,7 +119,7 @@ std::unique_ptr<skyline::HorizonMethod> vtkShadowHeightMap::MakeMethod(
 }
 
 bool vtkShadowHeightMap::AddShadow(skyline::HorizonScene& scene, vtkImageData* output,
-  const char* name, double elevation, bool risen, bool belowTerrain)
+  const char* name, double azimuth, double elevation, bool risen, bool belowTerrain)
 {
   vtkFloatArray* shadows = scene.AddArray(output, name);
   if (!risen)
@@ -118,8 +130,8 @@ bool vtkShadowHeightMap::AddShadow(skyline::HorizonScene& scene, vtkImageData* o
   }
   const auto method = this->MakeMethod(scene, skyline::ShadowSlope(elevation));
   ShadowStore store(scene, this->GetInputArrayToProcess(0, output), shadows, belowTerrain);
-  const bool finished = scene.Run(
-    *method, { std::fmod(this->SunAzimuth, 360.0) }, 0.0, store, skyline::AzimuthAxes::Image);
+  const bool finished =
+    scene.Run(*method, { azimuth }, 0.0, store, skyline::AzimuthAxes::Image);
   scene.BlankMissing(shadows);
   return finished;
 }
@@ -134,34 +146,34 @@ bool vtkShadowHeightMap::Compute(skyline::HorizonScene& scene, vtkImageData* out
   {
     throw std::invalid_argument("shadow heights are those of the triangles; set that surface");
   }
-  skyline::SunField::Constant(
-    std::fmod(this->SunAzimuth, 360.0), this->SunElevation, this->SunAngularRadius);
-  scene.DemandFloats("shadow heights", this->Soft ? 3 : 1, { std::fmod(this->SunAzimuth, 360.0) });
+  const skyline::GridSun sun = OneSun(this->Sun, scene);
+  const double azimuth = std::fmod(sun.Azimuth, 360.0);
+  scene.DemandFloats("shadow heights", this->Soft ? 3 : 1, { azimuth });
   scene.DoubtOneMetric("shadow heights", scene.CentreMetric());
-  const double elevation = this->SunElevation * skyline::RadiansPerDegree;
-  const double radius = this->SunAngularRadius * skyline::RadiansPerDegree;
+  const double elevation = sun.Elevation * skyline::RadiansPerDegree;
+  const double radius = sun.Radius * skyline::RadiansPerDegree;
   if (elevation <= 0.0)
   {
     std::ostringstream degrees;
-    degrees << this->SunElevation;
+    degrees << sun.Elevation;
     skyline::Warn(this,
       { "the sun's centre stands at " + degrees.str() + " degrees, not above the horizontal plane",
         "that all is in its shadow at any height: ShadowHeight is infinite, and nodata in a raster",
         "" });
   }
-  bool finished =
-    this->AddShadow(scene, output, "ShadowHeight", elevation, elevation > 0.0, this->BelowTerrain);
+  bool finished = this->AddShadow(
+    scene, output, "ShadowHeight", azimuth, elevation, elevation > 0.0, this->BelowTerrain);
   if (this->Soft && finished)
   {
     const bool risen = elevation + radius > 0.0;
     finished =
-      this->AddShadow(scene, output, "ShadowHeightUpper", elevation + radius, risen, true) &&
-      this->AddShadow(scene, output, "ShadowHeightLower", elevation - radius, risen, true);
+      this->AddShadow(scene, output, "ShadowHeightUpper", azimuth, elevation + radius, risen, true) &&
+      this->AddShadow(scene, output, "ShadowHeightLower", azimuth, elevation - radius, risen, true);
   }
-  vtkNew<vtkDoubleArray> sun;
-  sun->SetName("ShadowSun");
-  sun->SetNumberOfComponents(3);
-  sun->InsertNextTuple3(this->SunAzimuth, this->SunElevation, this->SunAngularRadius);
-  output->GetFieldData()->AddArray(sun);
+  vtkNew<vtkDoubleArray> used;
+  used->SetName("ShadowSun");
+  used->SetNumberOfComponents(3);
+  used->InsertNextTuple3(sun.Azimuth, sun.Elevation, sun.Radius);
+  output->GetFieldData()->AddArray(used);
   return finished;
 }

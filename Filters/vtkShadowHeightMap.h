@@ -13,6 +13,8 @@
  * the second nothing of it is. These are not cut off at the ground, since the ground may lie between
  * them: the lit part of a post needs both. vtkShadowReceiver makes light of them, at any height.
  *
+ * All posts have one sun: with UseTime, that over the middle of the height field.
+ *
  * The sun counts above the horizontal plane alone, as in vtkHeightFieldSunShadow: with the centre, or
  * the limb, on the plane or under it, its shadow height is plus infinity, so that every height compares
  * as lower; rasters hold no infinities, there it becomes nodata. For the centre a warning says so. With
@@ -27,7 +29,7 @@
 #ifndef vtkShadowHeightMap_h
 #define vtkShadowHeightMap_h
 
-#include "vtkHeightFieldAlgorithm.h"
+#include "vtkHeightFieldSunAlgorithm.h"
 
 #include <memory> // For MakeMethod
 
@@ -36,28 +38,12 @@ namespace skyline
 class HorizonMethod;
 }
 
-class SKYLINEFILTERS_EXPORT vtkShadowHeightMap : public vtkHeightFieldAlgorithm
+class SKYLINEFILTERS_EXPORT vtkShadowHeightMap : public vtkHeightFieldSunAlgorithm
 {
 public:
   static vtkShadowHeightMap* New();
-  vtkTypeMacro(vtkShadowHeightMap, vtkHeightFieldAlgorithm);
+  vtkTypeMacro(vtkShadowHeightMap, vtkHeightFieldSunAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /// The sun's azimuth, degrees clockwise from grid north (any number of turns; default 315), and
-  /// its apparent elevation, -90 to 90 degrees (default 45).
-  vtkSetMacro(SunAzimuth, double);
-  vtkGetMacro(SunAzimuth, double);
-  vtkSetMacro(SunElevation, double);
-  vtkGetMacro(SunElevation, double);
-  ///@}
-
-  ///@{
-  /// Angular radius of the disc, degrees, 0 (a point) to below 90; default 0.26645, the mean sun's.
-  /// Counts with Soft.
-  vtkSetMacro(SunAngularRadius, double);
-  vtkGetMacro(SunAngularRadius, double);
-  ///@}
 
   ///@{
   /// Add the shadow heights of the two limbs of the disc; default off.
@@ -84,16 +70,14 @@ protected:
     skyline::HorizonScene& scene, double slope);
 #endif
 
-  double SunAzimuth = 315.0;
-  double SunElevation = 45.0;
-  double SunAngularRadius = 0.26645;
   bool Soft = false;
   bool BelowTerrain = false;
 
 private:
-  // The shadow heights of a light of the elevation (radians); infinite unless it has risen.
+  // The shadow heights of a light in the azimuth (degrees) of the elevation (radians); infinite unless
+  // it has risen.
   bool AddShadow(skyline::HorizonScene& scene, vtkImageData* output, const char* name,
-    double elevation, bool risen, bool belowTerrain);
+    double azimuth, double elevation, bool risen, bool belowTerrain);
 };
 
 #endif
