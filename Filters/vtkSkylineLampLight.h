@@ -10,6 +10,8 @@
 
 #include "vtkSkylineLight.h"
 
+class vtkImageData;
+
 class SKYLINEFILTERS_EXPORT vtkSkylineLampLight : public vtkSkylineLight
 {
 public:
@@ -23,6 +25,10 @@ public:
   vtkSetVector3Macro(Position, double);
   vtkGetVector3Macro(Position, double);
   ///@}
+
+  /// Sets Position from x and y in the coordinate system of the height field's raster (in the image's
+  /// where it has none) and z as its heights, metres.
+  void SetMapPosition(vtkImageData* heightField, double x, double y, double z);
 
   ///@{
   /// Metres, 0 (no light) or more; default 10.
