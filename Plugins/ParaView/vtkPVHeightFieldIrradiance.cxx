@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVHeightFieldIrradiance.h"
 
-#include "LaterTime.h"
 #include "LightPasses.h"
 #include "Shared/Constants.h"
 
@@ -60,6 +59,16 @@ void vtkPVHeightFieldIrradiance::SetSunIrradiance(double red, double green, doub
   this->SunLight->SetIrradiance(red, green, blue);
 }
 
+void vtkPVHeightFieldIrradiance::SetSunTime(const char* time)
+{
+  this->SunLight->SetTime(time);
+}
+
+void vtkPVHeightFieldIrradiance::SetHoursLater(double hours)
+{
+  this->SunLight->SetHoursLater(hours);
+}
+
 void vtkPVHeightFieldIrradiance::SetLimbDarkening(bool on)
 {
   this->SunLight->SetLimbDarkening(on);
@@ -110,14 +119,6 @@ void vtkPVHeightFieldIrradiance::PlaceSun(const skyline::HorizonScene& scene)
 {
   this->SunLight->SetSwitch(this->Sun != NO_SUN);
   this->SunLight->SetUseTime(this->Sun == SUN_BY_TIME);
-  if (this->Sun == SUN_BY_TIME)
-  {
-    if (this->SunTime.empty())
-    {
-      throw std::invalid_argument("the sun has no time: set Sun Time, such as 2026-06-21T14:00Z");
-    }
-    this->SunLight->SetTime(skyline::LaterTime(this->SunTime, this->HoursLater).c_str());
-  }
   const skyline::SkyDisc disc = skyline::DiscOf(this->SunLight, scene);
   this->SkyLight->SetSunAzimuth(disc.Azimuth * skyline::DegreesPerRadian);
   this->SkyLight->SetSunElevation(disc.Elevation * skyline::DegreesPerRadian);
@@ -180,8 +181,6 @@ void vtkPVHeightFieldIrradiance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Sun: " << this->Sun << "\n"
-     << indent << "SunTime: " << this->SunTime << "\n"
-     << indent << "HoursLater: " << this->HoursLater << "\n"
      << indent << "Sky: " << this->Sky << "\n"
      << indent << "EnvironmentFile: " << this->EnvironmentFile << "\n"
      << indent << "Rotation: " << this->Rotation << "\n"

@@ -14,7 +14,7 @@
 #include "vtkNew.h"          // For the lights
 #include "vtkSmartPointer.h" // For Lamps
 
-#include <string> // For Time
+#include <string> // For EnvironmentFile
 #include <vector> // For Lamps
 
 class vtkSkylineEnvironmentLight;
@@ -61,10 +61,8 @@ public:
 
   ///@{
   /// UTC as ISO 8601, for instance 2026-06-21T14:00Z, and hours after it; default empty, 0.
-  vtkSetMacro(SunTime, std::string);
-  vtkGetMacro(SunTime, std::string);
-  vtkSetMacro(HoursLater, double);
-  vtkGetMacro(HoursLater, double);
+  void SetSunTime(const char* time);
+  void SetHoursLater(double hours);
   ///@}
 
   ///@{
@@ -106,8 +104,6 @@ protected:
   bool Compute(skyline::HorizonScene& scene, vtkImageData* output) override;
 
   int Sun = SUN_BY_DIRECTION;
-  std::string SunTime;
-  double HoursLater = 0.0;
   int Sky = UNIFORM_SKY;
   std::string EnvironmentFile;
   double Rotation = 0.0;

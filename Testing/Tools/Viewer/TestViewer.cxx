@@ -390,9 +390,9 @@ TEST_F(ViewerTest, OptionsOfTheCommandLineCount)
 {
   ViewerOptions options = Quick();
   options.Lights.Sun.Time.clear();
-  options.Lights.Sun.Direction = "100,20";
-  options.Lights.Environment = "cie:12";
-  options.Lights.Lamps = { "562000,5114000,3000,100,5,5,5" };
+  options.Lights.Sun.Direction = SunAngles{ 100.0, 20.0 };
+  options.Lights.Sky = ParseSky("cie:12");
+  options.Lights.Lamps = { { 562000.0, 5114000.0, 3000.0, 100.0, { { 5.0, 5.0, 5.0 } }, "" } };
   options.Colors = "gray";
   options.Exaggeration = 2.0;
   this->Open(options);
