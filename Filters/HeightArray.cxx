@@ -66,9 +66,10 @@ double BaseHeightOf(vtkDataArray* heights)
 {
   double range[2];
   heights->GetFiniteRange(range, 0);
-  return range[0] <= range[1] ? BaseHeight(heights->GetNumberOfTuples(), range[0], range[1],
-                                  [heights](std::ptrdiff_t post) { return heights->GetComponent(post, 0); })
-                              : 0.0;
+  return range[0] <= range[1]
+    ? BaseHeight(heights->GetNumberOfTuples(), range[0], range[1],
+        [heights](std::ptrdiff_t post) { return heights->GetComponent(post, 0); })
+    : 0.0;
 }
 
 void ReadTuples(vtkDataArray* array, vtkIdType first, vtkIdType count, double* values)
@@ -78,8 +79,8 @@ void ReadTuples(vtkDataArray* array, vtkIdType first, vtkIdType count, double* v
     const int components = typed->GetNumberOfComponents();
     const auto range =
       vtk::DataArrayValueRange(typed, first * components, (first + count) * components);
-    std::transform(range.cbegin(), range.cend(), values,
-      [](auto value) { return static_cast<double>(value); });
+    std::transform(
+      range.cbegin(), range.cend(), values, [](auto value) { return static_cast<double>(value); });
   };
   if (!vtkArrayDispatch::Dispatch::Execute(array, worker))
   {

@@ -123,7 +123,8 @@ void MapLight::ReadHeights(vtkIdType row, double* heights) const
   }
   ReadTuples(this->Heights, row * this->Columns, this->Columns, heights);
   std::replace_if(
-    heights, heights + this->Columns, [](double height) { return !std::isfinite(height); }, Missing);
+    heights, heights + this->Columns, [](double height) { return !std::isfinite(height); },
+    Missing);
 }
 
 void MapLight::LightRows(const MapLights& lights, const GroundColors& colors, vtkIdType first,

@@ -35,8 +35,8 @@ struct MapLights
   std::array<double, 3> SunIrradiance; ///< of a surface that faces the sun
   std::array<double, 3> SkyRadiance;
   vtkDataArray* SunVisibility; ///< 0 to 1; null: the sun is never hidden
-  vtkDataArray* Sky;           ///< share of the sky's light; null: that of a plane with the post's slope
-  vtkDataArray* Further;       ///< irradiance, RGB; null: none
+  vtkDataArray* Sky;     ///< share of the sky's light; null: that of a plane with the post's slope
+  vtkDataArray* Further; ///< irradiance, RGB; null: none
 };
 
 /// The posts of an image and the sun over them, ready to be lit.
@@ -49,8 +49,8 @@ public:
 
   /// Radiance of a Lambertian ground in the rows [first, last): three floats for each post of the image,
   /// NaN where the height is missing.
-  void LightRows(const MapLights& lights, const GroundColors& colors, vtkIdType first, vtkIdType last,
-    float* radiance) const;
+  void LightRows(const MapLights& lights, const GroundColors& colors, vtkIdType first,
+    vtkIdType last, float* radiance) const;
 
 private:
   MapLight(

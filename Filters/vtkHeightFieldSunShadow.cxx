@@ -48,8 +48,7 @@ void vtkHeightFieldSunShadow::PrintSelf(ostream& os, vtkIndent indent)
 bool vtkHeightFieldSunShadow::Compute(skyline::HorizonScene& scene, vtkImageData* output)
 {
   constexpr double radians = skyline::RadiansPerDegree;
-  const skyline::SunField sun =
-    skyline::SunFieldOf(this->Sun, scene.Place(), scene.MeanHeight());
+  const skyline::SunField sun = skyline::SunFieldOf(this->Sun, scene.Place(), scene.MeanHeight());
   const skyline::EclipseField eclipse =
     skyline::EclipseFieldOf(this->Sun, scene.Place(), scene.MeanHeight());
   const double radius = skyline::RadiusOf(this->Sun, sun);

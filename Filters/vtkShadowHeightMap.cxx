@@ -130,8 +130,7 @@ bool vtkShadowHeightMap::AddShadow(skyline::HorizonScene& scene, vtkImageData* o
   }
   const auto method = this->MakeMethod(scene, skyline::ShadowSlope(elevation));
   ShadowStore store(scene, this->GetInputArrayToProcess(0, output), shadows, belowTerrain);
-  const bool finished =
-    scene.Run(*method, { azimuth }, 0.0, store, skyline::AzimuthAxes::Image);
+  const bool finished = scene.Run(*method, { azimuth }, 0.0, store, skyline::AzimuthAxes::Image);
   scene.BlankMissing(shadows);
   return finished;
 }
@@ -166,8 +165,8 @@ bool vtkShadowHeightMap::Compute(skyline::HorizonScene& scene, vtkImageData* out
   if (this->Soft && finished)
   {
     const bool risen = elevation + radius > 0.0;
-    finished =
-      this->AddShadow(scene, output, "ShadowHeightUpper", azimuth, elevation + radius, risen, true) &&
+    finished = this->AddShadow(
+                 scene, output, "ShadowHeightUpper", azimuth, elevation + radius, risen, true) &&
       this->AddShadow(scene, output, "ShadowHeightLower", azimuth, elevation - radius, risen, true);
   }
   vtkNew<vtkDoubleArray> used;

@@ -20,7 +20,7 @@ namespace skyline
 {
 struct SkyDescription;
 struct TurnedLightMap;
-}
+} // namespace skyline
 
 class SKYLINEFILTERS_EXPORT vtkSkylineEnvironmentLight : public vtkSkylineLight
 {

@@ -23,9 +23,9 @@ enum class SkyKind
 struct SkyDescription
 {
   SkyKind Kind = SkyKind::Uniform;
-  int CieType = 0;                                      ///< of Zonal and Formula: 1 to 16
+  int CieType = 0;                                        ///< of Zonal and Formula: 1 to 16
   double DirectIrradiance = 0.0, DiffuseIrradiance = 0.0; ///< of Perez, W/m2
-  std::string Text = "uniform";                         ///< as it is written; of a Map: the file's name
+  std::string Text = "uniform"; ///< as it is written; of a Map: the file's name
 
   /// Whether it looks the same in all azimuths.
   bool SameAllAround() const { return this->Kind <= SkyKind::Zonal; }

@@ -278,10 +278,16 @@ def sun_visibility(
 
 
 @overload
-def shadow_height(z: Heights, spacing: Spacing | None = None, *, sun: Sun | None = None, time: Any = None,
+def shadow_height(z: Heights, spacing: Spacing | None = None, *, sun: Sun,
                   below_terrain: bool = False, **options: Unpack[Options]) -> Floats: ...
 @overload
-def shadow_height(z: vtkImageData, spacing: None = None, *, sun: Sun | None = None, time: Any = None,
+def shadow_height(z: Heights, spacing: Spacing | None = None, *, time: Any,
+                  below_terrain: bool = False, **options: Unpack[Options]) -> Floats: ...
+@overload
+def shadow_height(z: vtkImageData, spacing: None = None, *, sun: Sun,
+                  below_terrain: bool = False, **options: Unpack[Options]) -> vtkImageData: ...
+@overload
+def shadow_height(z: vtkImageData, spacing: None = None, *, time: Any,
                   below_terrain: bool = False, **options: Unpack[Options]) -> vtkImageData: ...
 def shadow_height(
     z: Any, spacing: Any = None, *, sun: Any = None, time: Any = None, below_terrain: bool = False,

@@ -250,7 +250,8 @@ TEST(LampOnAMap, StandsWhereTheMapSays)
   vtkNew<vtkSkylineLampLight> lamp;
   lamp->SetMapPosition(terrain, transform->GetComponent(0, 0) + 2.5 * transform->GetComponent(0, 1),
     transform->GetComponent(0, 3) + (rows - 0.5) * transform->GetComponent(0, 5), 7.0);
-  EXPECT_NEAR(lamp->GetPosition()[0], terrain->GetOrigin()[0] + 2.0 * terrain->GetSpacing()[0], 1e-6);
+  EXPECT_NEAR(
+    lamp->GetPosition()[0], terrain->GetOrigin()[0] + 2.0 * terrain->GetSpacing()[0], 1e-6);
   EXPECT_NEAR(lamp->GetPosition()[1], terrain->GetOrigin()[1], 1e-6);
   EXPECT_EQ(lamp->GetPosition()[2], 7.0);
   vtkNew<vtkImageData> plain;

@@ -161,10 +161,9 @@ struct ShadeCommand
     skyline::WarnOfTurnedSky(this->Lights, this->Kind(), this->Talk);
     skyline::CheckOutput(this->Output.File, { this->Terrain.File, this->Lights.Sky->Text });
 
-    const auto terrain =
-      skyline::Exaggerate(skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File),
-        this->Look.Exaggeration, [this](vtkAlgorithm* filter, const std::string& title)
-        { this->RunPass(filter, title); });
+    const auto terrain = skyline::Exaggerate(
+      skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File), this->Look.Exaggeration,
+      [this](vtkAlgorithm* filter, const std::string& title) { this->RunPass(filter, title); });
     this->Horizon.WarnIdle(terrain, this->Talk);
     const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
     const skyline::SunLight sun = skyline::FindSun(this->Lights.Sun, center.Place, center.Height);

@@ -27,7 +27,8 @@ struct SunDescription
   std::string Time; ///< as ParseUtcTime reads it; empty: none
   std::optional<SunAngles> Direction;
   std::optional<double> Radius; ///< degrees; none: that of the time, or the mean one
-  std::optional<std::array<double, 3>> Irradiance; ///< on a plane that faces it; none: SunIrradianceOf
+  std::optional<std::array<double, 3>>
+    Irradiance; ///< on a plane that faces it; none: SunIrradianceOf
   bool LimbDarkening = false;
 
   /// Whether somebody asked for a sun.
@@ -37,9 +38,10 @@ struct SunDescription
 /// A glowing ball.
 struct LampDescription
 {
-  double X = 0.0, Y = 0.0; ///< in the coordinate system of the DEM; metres from its image's origin without
-  double Z = 0.0;          ///< metres, as the heights
-  double Radius = 1.0;     ///< metres, above 0
+  double X = 0.0,
+         Y = 0.0; ///< in the coordinate system of the DEM; metres from its image's origin without
+  double Z = 0.0; ///< metres, as the heights
+  double Radius = 1.0; ///< metres, above 0
   std::array<double, 3> Radiance{ { 1.0, 1.0, 1.0 } };
   std::string Text; ///< as it was written, for messages
 };
@@ -48,7 +50,7 @@ struct LampDescription
 struct LightDescription
 {
   std::optional<SkyDescription> Sky; ///< none: a uniform one, if there is no other light
-  double Rotation = 0.0;             ///< degrees, any number of turns, by which the sky is turned clockwise
+  double Rotation = 0.0; ///< degrees, any number of turns, by which the sky is turned clockwise
   SunDescription Sun;
   std::vector<LampDescription> Lamps;
 

@@ -79,7 +79,8 @@ LampDescription ParseLamp(const std::string& text)
     throw std::invalid_argument(
       text + " has " + std::to_string(numbers.size()) + " numbers" + cure);
   }
-  LampDescription lamp{ numbers[0], numbers[1], numbers[2], numbers[3], { { 1.0, 1.0, 1.0 } }, text };
+  LampDescription lamp{ numbers[0], numbers[1], numbers[2], numbers[3], { { 1.0, 1.0, 1.0 } },
+    text };
   if (!(lamp.Radius > 0.0))
   {
     throw std::invalid_argument(text + " has a radius that is not above 0; give metres, as in 1");

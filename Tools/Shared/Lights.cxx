@@ -25,7 +25,8 @@ namespace
 
 using LightPointer = vtkSmartPointer<vtkSkylineLight>;
 
-LightPointer MakeSun(const SunDescription& asked, const SunLight& sun, const std::array<double, 3>& irradiance)
+LightPointer MakeSun(
+  const SunDescription& asked, const SunLight& sun, const std::array<double, 3>& irradiance)
 {
   if (sun.Radius > LargestSunRadius)
   {

@@ -57,8 +57,7 @@ bool HasEnvironment(SkyKind kind)
   return kind != SkyKind::None && !HasSkyPass(kind);
 }
 
-SkyPass MakeSkyPass(
-  const SkyDescription& sky, vtkImageData* terrain, const HorizonOptions& horizon)
+SkyPass MakeSkyPass(const SkyDescription& sky, vtkImageData* terrain, const HorizonOptions& horizon)
 {
   if (sky.Kind == SkyKind::Zonal)
   {

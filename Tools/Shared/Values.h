@@ -63,8 +63,9 @@ CLI::Option* AddParsed(CLI::App& command, const std::string& name, const Parse& 
   const Take& take, const std::string& help)
 {
   return command.add_option_function<std::string>(
-    name, [name, parse, take](const std::string& text)
-    { Refusing(name, [&] { take(parse(text)); }); }, help);
+    name,
+    [name, parse, take](const std::string& text) { Refusing(name, [&] { take(parse(text)); }); },
+    help);
 }
 
 /// A check of an option's text by a function that returns what is wrong, or nothing.

@@ -412,8 +412,7 @@ bool LitTerrain::Light(const TerrainLight& light, bool exact)
   this->Times.clear();
   this->Exaggerate(light);
   const bool shines = light.SunOn &&
-    (light.Sky.Measured() ||
-      SunShines(DaylightAndNight(light.Sun.ApparentElevation, light.Air)));
+    (light.Sky.Measured() || SunShines(DaylightAndNight(light.Sun.ApparentElevation, light.Air)));
   if (!this->LightSky(light, exact) || !this->LightMap(light, exact) ||
     (shines && !this->LightSun(light, exact)) || !this->LightLamps(light, exact))
   {

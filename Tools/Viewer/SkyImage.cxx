@@ -38,8 +38,7 @@ double SineOf(std::ptrdiff_t row, std::ptrdiff_t rows)
 // Each row by its sine above the horizon, over the mean of open level ground's irradiance over pi.
 SkyImage Zonal(const skyline::SkyDescription& description, const Rgb& level)
 {
-  const int type =
-    description.Kind == skyline::SkyKind::Zonal ? description.CieType : UniformType;
+  const int type = description.Kind == skyline::SkyKind::Zonal ? description.CieType : UniformType;
   SkyImage sky = Blank(2, skyline::FormulaColumns / 2);
   const std::ptrdiff_t half = sky.Rows / 2;
   double mean = 0.0;

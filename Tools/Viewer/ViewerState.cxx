@@ -119,7 +119,8 @@ ViewerWish ViewerState::Press(int key, const Modifiers& with)
       this->Sky = (this->Sky + 1) % this->Skies.size();
       return ViewerWish::Changed;
     case 'R':
-      this->Rotation = NormalizedAzimuth(this->Rotation + (with.Shift ? -RotationStep : RotationStep));
+      this->Rotation =
+        NormalizedAzimuth(this->Rotation + (with.Shift ? -RotationStep : RotationStep));
       return ViewerWish::Changed;
     case 'X':
       this->Exaggeration =

@@ -200,8 +200,7 @@ TEST_F(ViewerTest, DroppedFilesBecomeSkyOrTerrain)
 {
   this->Open();
   this->View->Drop({ Data("light-maps/sunset_128.hdr") });
-  EXPECT_EQ(
-    this->View->GetState().GetSky().Text, Data("light-maps/sunset_128.hdr"));
+  EXPECT_EQ(this->View->GetState().GetSky().Text, Data("light-maps/sunset_128.hdr"));
   EXPECT_FALSE(this->View->GetState().Sun);
   this->Draw();
   EXPECT_TRUE(HasPass(this->View->GetTimes(), "light map"));
