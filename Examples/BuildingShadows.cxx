@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tower beside a hill: the hill's shadow climbs its walls, and its own falls on the ground.
-//   BuildingShadows OUT.png
+// A tower beside a hill: the shadow of the hill falls on the walls of the tower, and the shadow of the
+// tower falls on the ground.
+//
+// Usage: BuildingShadows OUT.png
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
@@ -34,7 +36,7 @@
 namespace
 {
 
-constexpr int Posts = 401; // a square of 400 m, a post a metre
+constexpr int Posts = 401; // posts per side: a square of 400 m with one post per metre
 constexpr double SunAzimuth = 250.0, SunElevation = 18.0, SunRadius = 0.5;
 constexpr double Radians = 3.14159265358979 / 180.0;
 
@@ -72,13 +74,15 @@ int main(int argc, char* argv[])
   }
   const vtkNew<vtkImageData> hill = MakeHill();
 
-  // Any polygons will do, in the frame of the image; small ones, so that shadows have edges on them.
+  // The building: any polygons in the coordinates of the image. They are small, so that the edges of
+  // shadows are visible on them.
   vtkNew<vtkTessellatedBoxSource> model;
-  // Nearly up to the next posts, so that no ground beside it borrows the light of the roof.
+  // The walls reach nearly to the next posts, so that the light of the roof is not interpolated onto
+  // the ground beside it.
   model->SetBounds(224.05, 250.95, 194.05, 220.95, 0.0, 80.0);
   model->SetLevel(60);
 
-  // What the building puts in shadow: the ground, with the building on it.
+  // The shadow that the building casts: on the ground, raised to the building.
   vtkNew<vtkHeightFieldCap> cap;
   cap->SetInputData(hill);
   cap->SetObjectsConnection(model->GetOutputPort());
@@ -95,7 +99,7 @@ int main(int argc, char* argv[])
   light->AddLight(sky);
   light->SetNumberOfAzimuths(32);
 
-  // What the hill puts in shadow of the building: SunVisibility at its points.
+  // The shadow that the hill casts on the building: SunVisibility at the points of the building.
   vtkNew<vtkShadowHeightMap> shadow;
   shadow->SetInputData(hill);
   shadow->SetSunAzimuth(SunAzimuth);
@@ -121,7 +125,7 @@ int main(int argc, char* argv[])
   ground->SetMapper(groundMapper);
   ground->GetProperty()->SetColor(0.62, 0.68, 0.52);
 
-  vtkNew<vtkLookupTable> colors; // of the walls, from full shadow to full sun
+  vtkNew<vtkLookupTable> colors; // colours of the walls, from full shadow to full sun
   colors->SetNumberOfTableValues(256);
   for (int i = 0; i < 256; ++i)
   {
@@ -138,7 +142,7 @@ int main(int argc, char* argv[])
   building->SetMapper(towerMapper);
   building->GetProperty()->SetAmbient(0.4);
   building->GetProperty()->SetDiffuse(0.6);
-  vtkNew<vtkLight> sunlight; // VTK's own light shades the walls alone: the ground has its own
+  vtkNew<vtkLight> sunlight; // lights only the walls; the ground has Skyline's light
   sunlight->SetLightTypeToSceneLight();
   sunlight->SetPosition(std::sin(Radians * SunAzimuth), std::cos(Radians * SunAzimuth),
     std::tan(Radians * SunElevation));

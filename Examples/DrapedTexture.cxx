@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A picture draped over a DEM, in the light of sun and sky.    DrapedTexture DEM OUT.png
+// A picture draped over a DEM, in the light of sun and sky.
 //
-// The picture here is painted from the heights; any RGB image, vtkPNGReader's for instance, will do.
+// Usage: DrapedTexture DEM OUT.png
+//
+// Here, the picture is computed from the heights. You can use any RGB image, for instance the output of
+// vtkPNGReader.
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkHeightFieldIrradiance.h"
@@ -31,13 +34,14 @@ namespace
 constexpr double Forest[] = { 60, 84, 48 }, Meadow[] = { 134, 140, 84 }, Rock[] = { 128, 118, 108 },
                  Snow[] = { 240, 243, 248 };
 
-// 0 up to `first`, 1 from `last` on.
+// A linear ramp: 0 up to `first`, 1 from `last` on.
 double Ramp(double value, double first, double last)
 {
   return std::clamp((value - first) / (last - first), 0.0, 1.0);
 }
 
-// Snow above forest, rock where it is steep, a contour line every 100 metres; sRGB codes.
+// The colours as sRGB values: snow above forest, rock where it is steep, and a contour line every
+// 100 metres.
 vtkNew<vtkImageData> Paint(vtkImageData* terrain)
 {
   const int columns = terrain->GetDimensions()[0], rows = terrain->GetDimensions()[1];
@@ -117,7 +121,7 @@ int main(int argc, char* argv[])
   surface->SetInputConnection(reader->GetOutputPort());
   double bounds[6]; // west, east, south, north
   terrain->GetBounds(bounds);
-  vtkNew<vtkTextureMapToPlane> drape; // texture coordinates: 0 to 1 eastwards and northwards
+  vtkNew<vtkTextureMapToPlane> drape; // texture coordinates: 0 to 1, towards east and north
   drape->SetInputConnection(surface->GetOutputPort());
   drape->SetOrigin(bounds[0], bounds[2], 0.0);
   drape->SetPoint1(bounds[1], bounds[2], 0.0);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Terrain that changes with every frame, and its shadows with it.    DynamicTerrain OUT.png [FRAMES]
+// Terrain that changes with every frame, together with its shadows.
 //
-// The strip shows four of the frames. In a window of your own, call Move and Render for each frame.
+// Usage: DynamicTerrain OUT.png [FRAMES]
+//
+// The picture shows four of the frames. In your own window, call Move and Render for each frame.
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
@@ -32,7 +34,7 @@ namespace
 constexpr int Posts = 160;
 constexpr int Shown = 4;
 
-// A ring of a wave runs outwards from a drop in the middle; time from 0 to 1.
+// A circular wave runs outwards from a drop in the middle; `time` goes from 0 to 1.
 void Move(vtkImageData* terrain, double time)
 {
   auto* heights = vtkFloatArray::SafeDownCast(terrain->GetPointData()->GetScalars());
@@ -46,7 +48,7 @@ void Move(vtkImageData* terrain, double time)
       heights->SetValue(row * Posts + column, static_cast<float>(height));
     }
   }
-  heights->Modified(); // the filters and the mapper hear of it by this alone
+  heights->Modified(); // this is all that the filters and the mapper need
   terrain->Modified();
 }
 
@@ -73,7 +75,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkSkylineSunLight> sun;
   sun->SetAzimuth(290.0);
   sun->SetElevation(22.0);
-  sun->SetAngularRadius(1.5); // softer than the true one
+  sun->SetAngularRadius(1.5); // larger than the real one, for softer shadows
   sun->SetIrradiance(4.2, 3.8, 3.2);
   vtkNew<vtkSkylineEnvironmentLight> sky;
   sky->SetRadiance(0.22, 0.28, 0.38);

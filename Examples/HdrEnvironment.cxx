@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A DEM in the light of an HDR environment, drawn without a window.
-//   HdrEnvironment DEM MAP.hdr OUT.png [DEGREES]      the map turned clockwise
+//
+// Usage: HdrEnvironment DEM MAP.hdr OUT.png [DEGREES]
+//
+// DEGREES is the angle by which the map is turned clockwise.
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkHeightFieldIrradiance.h"
@@ -60,7 +63,7 @@ int main(int argc, char* argv[])
   mapper->SetInputConnection(surface->GetOutputPort());
   mapper->ScalarVisibilityOff();
   mapper->GetShader()->SetHeightFieldConnection(light->GetOutputPort());
-  mapper->GetShader()->SetExposure(-1.2); // stops
+  mapper->GetShader()->SetExposure(-1.2); // in stops: a factor of 2^-1.2
   vtkNew<vtkActor> ground;
   ground->SetMapper(mapper);
   ground->GetProperty()->SetColor(0.82, 0.78, 0.72);
@@ -70,7 +73,7 @@ int main(int argc, char* argv[])
   renderer->SetBackground(0.45, 0.58, 0.74);
   renderer->ResetCamera();
   vtkCamera* camera = renderer->GetActiveCamera();
-  camera->Elevation(-55.0); // from the south
+  camera->Elevation(-55.0); // seen from the south
   camera->Pitch(-2.0);
   camera->Zoom(1.7);
   renderer->ResetCameraClippingRange();

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Glowing balls over a crater at night, under a faint sky.    LampsAtNight DEM OUT.png
+// Glowing balls above a crater at night, under a faint sky.
+//
+// Usage: LampsAtNight DEM OUT.png
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
@@ -29,8 +31,8 @@ namespace
 
 struct Lamp
 {
-  int Column, Row; // of the DEM, from the north-west
-  double Above;    // metres over the ground
+  int Column, Row; // of the DEM, counted from the north-west
+  double Above;    // metres above the ground
   double Radius;
   double Color[3];
 };
@@ -43,7 +45,7 @@ constexpr Lamp Lamps[] = {
 };
 constexpr double Radiance = 40.0;
 
-// What is seen of the lamp itself.
+// The ball that shows the lamp itself in the picture.
 vtkNew<vtkActor> MakeBall(const double center[3], const Lamp& lamp)
 {
   vtkNew<vtkSphereSource> ball;
@@ -96,7 +98,7 @@ int main(int argc, char* argv[])
   light->AddLight(sky);
   for (const Lamp& lamp : Lamps)
   {
-    const int row = terrain->GetDimensions()[1] - 1 - lamp.Row; // row 0 of an image is the south
+    const int row = terrain->GetDimensions()[1] - 1 - lamp.Row; // row 0 of an image is in the south
     const double ground = terrain->GetScalarComponentAsDouble(lamp.Column, row, 0, 0);
     const double place[3] = { west + lamp.Column * dx, south + row * dy, ground + lamp.Above };
     vtkNew<vtkSkylineLampLight> shining;

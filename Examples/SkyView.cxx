@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much sky does every post of a DEM see?    SkyView DEM OUT.tif
+// How much sky does each post of a DEM see? A post is the centre of a raster pixel with its height.
+//
+// Usage: SkyView DEM OUT.tif
 #include "vtkHeightFieldReader.h"
 #include "vtkHeightFieldSkyView.h"
 #include "vtkHeightFieldWriter.h"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sun wanders over a DEM: pictures of one day, and a strip of them.
-//   SunOverADay DEM STRIP.png [FRAMES_FOLDER]
-// The frames become a film by: ffmpeg -framerate 4 -i FRAMES_FOLDER/%02d.png day.mp4
+// The sun over a DEM during one day: a picture for each of several hours, and all of them side by side.
+//
+// Usage: SunOverADay DEM STRIP.png [FRAMES_FOLDER]
+//
+// To make a film of the frames: ffmpeg -framerate 4 -i FRAMES_FOLDER/%02d.png day.mp4
 #include "vtkDataArray.h"
 #include "vtkHeightFieldPictureWriter.h"
 #include "vtkHeightFieldReader.h"
@@ -28,8 +30,8 @@ namespace
 
 const std::string Day[] = { "21T12:45", "21T13:15", "21T14:00", "21T16:00", "21T20:00", "22T00:00",
   "22T02:30", "22T03:30" };
-constexpr int Half = 4;   // frames in a row of the strip
-constexpr int Shrink = 2; // pixels of a frame that become one of the strip
+constexpr int Half = 4;   // frames per row of the strip
+constexpr int Shrink = 2; // so many pixels of a frame become one pixel of the strip
 
 } // namespace
 
@@ -42,12 +44,13 @@ int main(int argc, char* argv[])
   }
   vtkNew<vtkHeightFieldReader> reader;
   reader->SetFileName(argv[1]);
-  vtkNew<vtkHeightFieldSkyView> sky; // the same all day: computed once
+  vtkNew<vtkHeightFieldSkyView> sky; // does not change during the day, so it is computed once
   sky->SetInputConnection(reader->GetOutputPort());
   sky->SetNumberOfAzimuths(36);
   sky->Update();
 
-  vtkNew<vtkSkylineSunLight> sun; // shared by both filters
+  vtkNew<vtkSkylineSunLight>
+    sun; // both filters use it; it computes its position from time and place
   sun->UseTimeOn();
   vtkNew<vtkHeightFieldSunShadow> shadow;
   shadow->SetInputConnection(sky->GetOutputPort());
@@ -56,7 +59,7 @@ int main(int argc, char* argv[])
   shading->SetInputConnection(shadow->GetOutputPort());
   shading->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
   shading->SetSun(sun);
-  shading->AutoExposureOff(); // one exposure for the whole day
+  shading->AutoExposureOff(); // the same exposure for the whole day
 
   vtkNew<vtkImageAppend> rows[2];
   for (int frame = 0; frame < 2 * Half; ++frame)
@@ -91,7 +94,7 @@ int main(int argc, char* argv[])
     smaller->SetShrinkFactors(Shrink, Shrink, 1);
     smaller->MeanOn();
     smaller->Update();
-    vtkNew<vtkImageData> picture; // the filters go on to the next frame
+    vtkNew<vtkImageData> picture; // a copy, because the filters continue with the next frame
     picture->DeepCopy(smaller->GetOutput());
     rows[frame / Half]->AddInputData(picture);
     if (argc == 4)

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A tower beside a hill: the hill's shadow climbs its walls, and its own falls on the ground.
+"""A tower beside a hill.
 
-    building_shadows.py OUT.png
+The shadow of the hill falls on the walls of the tower, and the shadow of the tower falls on the ground.
+
+Usage: building_shadows.py OUT.png
 """
 
 import sys
@@ -20,7 +22,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-POSTS = 401  # a square of 400 m, a post a metre
+POSTS = 401  # posts per side: a square of 400 m with one post per metre
 SUN_AZIMUTH, SUN_ELEVATION, SUN_RADIUS = 250.0, 18.0, 0.5
 
 if len(sys.argv) != 2:
@@ -29,17 +31,19 @@ if not skyline.vtkSkylineEGLWindow.IsSupported():
     print("skipped: no OpenGL without a window system")
     sys.exit(77)
 
-row, column = np.mgrid[0:POSTS, 0:POSTS]  # rows from the south, as x and y of the building count
+row, column = np.mgrid[0:POSTS, 0:POSTS]  # rows from the south, like y of the building
 distance = np.hypot((column - 110.0) / 50.0, (row - 170.0) / 80.0)
 hill = skyline.to_image((60.0 * np.exp(-distance ** 2)).astype(np.float32), 1.0, row0="south")
 
-# Any polygons will do, in the frame of the image; small ones, so that shadows have edges on them.
+# The building: any polygons in the coordinates of the image. They are small, so that the edges of shadows
+# are visible on them.
 model = vtkTessellatedBoxSource()
-# Nearly up to the next posts, so that no ground beside it borrows the light of the roof.
+# The walls reach nearly to the next posts, so that the light of the roof is not interpolated onto the
+# ground beside it.
 model.SetBounds(224.05, 250.95, 194.05, 220.95, 0.0, 80.0)
 model.SetLevel(60)
 
-# What the building puts in shadow: the ground, with the building on it.
+# The shadow that the building casts: on the ground, raised to the building.
 cap = skyline.vtkHeightFieldCap()
 cap.SetInputData(hill)
 cap.SetObjectsConnection(model.GetOutputPort())
@@ -56,7 +60,7 @@ light.AddLight(sun)
 light.AddLight(sky)
 light.SetNumberOfAzimuths(32)
 
-# What the hill puts in shadow of the building: SunVisibility at its points.
+# The shadow that the hill casts on the building: SunVisibility at the points of the building.
 shadow = skyline.vtkShadowHeightMap()
 shadow.SetInputData(hill)
 shadow.SetSunAzimuth(SUN_AZIMUTH)
@@ -80,7 +84,7 @@ ground = vtkActor()
 ground.SetMapper(ground_mapper)
 ground.GetProperty().SetColor(0.62, 0.68, 0.52)
 
-colors = vtkLookupTable()  # of the walls, from full shadow to full sun
+colors = vtkLookupTable()  # colours of the walls, from full shadow to full sun
 colors.SetNumberOfTableValues(256)
 for i in range(256):
     part = i / 255.0
@@ -95,7 +99,7 @@ building = vtkActor()
 building.SetMapper(tower_mapper)
 building.GetProperty().SetAmbient(0.4)
 building.GetProperty().SetDiffuse(0.6)
-sunlight = vtkLight()  # VTK's own light shades the walls alone: the ground has its own
+sunlight = vtkLight()  # lights only the walls; the ground has Skyline's light
 sunlight.SetLightTypeToSceneLight()
 azimuth, elevation = np.radians([SUN_AZIMUTH, SUN_ELEVATION])
 sunlight.SetPosition(np.sin(azimuth), np.cos(azimuth), np.tan(elevation))

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A picture draped over a DEM, in the light of sun and sky.    draped_texture.py DEM OUT.png
+"""A picture draped over a DEM, in the light of sun and sky.
 
-The picture here is painted from the heights; any RGB array whose row 0 is the north edge will do.
+Usage: draped_texture.py DEM OUT.png
+
+Here, the picture is computed from the heights. You can use any RGB array whose row 0 is the northern edge.
 """
 
 import sys
@@ -16,7 +18,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkTexture, vtkWi
 
 
 def paint(heights):
-    """Snow above forest, rock where it is steep, a contour line every 100 metres; sRGB codes."""
+    """The sRGB colours: snow above forest, rock where it is steep, a contour line every 100 metres."""
     down, right = np.gradient(heights, 30.0)
     steep = np.hypot(right, down)[..., None]
     height = heights[..., None]
@@ -31,7 +33,7 @@ def paint(heights):
 
 
 def to_texture(picture):
-    flat = np.ascontiguousarray(picture[::-1]).reshape(-1, 3)  # VTK's row 0 is the south edge
+    flat = np.ascontiguousarray(picture[::-1]).reshape(-1, 3)  # row 0 of VTK is the southern edge
     image = vtkImageData()
     image.SetDimensions(picture.shape[1], picture.shape[0], 1)
     image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
@@ -58,7 +60,7 @@ surface = skyline.vtkHeightFieldSurface()
 surface.SetInputData(terrain)
 surface.Update()
 west, east, south, north, *_ = terrain.GetBounds()
-drape = vtkTextureMapToPlane()  # texture coordinates: 0 to 1 from west to east and south to north
+drape = vtkTextureMapToPlane()  # texture coordinates: 0 to 1, towards east and north
 drape.SetInputConnection(surface.GetOutputPort())
 drape.SetOrigin(west, south, 0.0)
 drape.SetPoint1(east, south, 0.0)

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Terrain that changes with every frame, and its shadows with it.    dynamic_terrain.py OUT.png [FRAMES]
+"""Terrain that changes with every frame, together with its shadows.
 
-The strip shows four of the frames. In a window of your own, call move and Render for each frame.
+Usage: dynamic_terrain.py OUT.png [FRAMES]
+
+The picture shows four of the frames. In your own window, call move and Render for each frame.
 """
 
 import sys
@@ -27,21 +29,21 @@ if not skyline.vtkSkylineEGLWindow.IsSupported():
 row, column = np.mgrid[0:POSTS, 0:POSTS]
 distance = np.hypot(column - 80.0, row - 80.0)
 terrain = skyline.to_image(np.zeros((POSTS, POSTS), np.float32), 1.0)
-heights = skyline.to_array(terrain)  # a view: what is written here, the image has
+heights = skyline.to_array(terrain)  # a view: writing to it changes the image
 
 
 def move(now):
-    """A ring of a wave runs outwards from a drop in the middle; now from 0 to 1."""
+    """A circular wave runs outwards from a drop in the middle; `now` goes from 0 to 1."""
     behind = (distance - 90.0 * now) / 9.0
     heights[::-1] = 14.0 * np.exp(-behind ** 2) * np.cos(0.9 * behind)
-    terrain.GetPointData().GetScalars().Modified()  # filters and mapper hear of it by this alone
+    terrain.GetPointData().GetScalars().Modified()  # all that filters and mapper need
     terrain.Modified()
 
 
 sun = skyline.vtkSkylineSunLight()
 sun.SetAzimuth(290.0)
 sun.SetElevation(22.0)
-sun.SetAngularRadius(1.5)  # softer than the true one
+sun.SetAngularRadius(1.5)  # larger than the real one, for softer shadows
 sun.SetIrradiance(4.2, 3.8, 3.2)
 sky = skyline.vtkSkylineEnvironmentLight()
 sky.SetRadiance(0.22, 0.28, 0.38)

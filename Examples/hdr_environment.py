@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A DEM in the light of an HDR environment, drawn without a window.
 
-    hdr_environment.py DEM MAP.hdr OUT.png [DEGREES]      the map turned clockwise
+Usage: hdr_environment.py DEM MAP.hdr OUT.png [DEGREES]
+
+DEGREES is the angle by which the map is turned clockwise.
 """
 
 import sys
@@ -26,7 +28,7 @@ mapper = skyline.vtkSoftShadowPolyDataMapper()
 mapper.SetInputConnection(surface.GetOutputPort())
 mapper.ScalarVisibilityOff()
 mapper.GetShader().SetHeightField(lit)
-mapper.GetShader().SetExposure(-1.2)  # stops
+mapper.GetShader().SetExposure(-1.2)  # in stops: a factor of 2^-1.2
 ground = vtkActor()
 ground.SetMapper(mapper)
 ground.GetProperty().SetColor(0.82, 0.78, 0.72)
@@ -36,7 +38,7 @@ renderer.AddActor(ground)
 renderer.SetBackground(0.45, 0.58, 0.74)
 renderer.ResetCamera()
 camera = renderer.GetActiveCamera()
-camera.Elevation(-55.0)  # from the south
+camera.Elevation(-55.0)  # seen from the south
 camera.Pitch(-2.0)
 camera.Zoom(1.7)
 renderer.ResetCameraClippingRange()

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Glowing balls over a crater at night, under a faint sky.    lamps_at_night.py DEM OUT.png"""
+"""Glowing balls above a crater at night, under a faint sky.
+
+Usage: lamps_at_night.py DEM OUT.png
+"""
 
 import sys
 
@@ -39,7 +42,7 @@ for column, row, above, radius, color in LAMPS:
     lamp.SetRadiance(*(RADIANCE * part for part in color))
     lights.append(lamp)
 
-    ball = vtkSphereSource()  # what is seen of the lamp itself
+    ball = vtkSphereSource()  # the ball that shows the lamp itself in the picture
     ball.SetCenter(place)
     ball.SetRadius(radius)
     ball.SetThetaResolution(32)
@@ -70,7 +73,7 @@ renderer.SetBackground(0.02, 0.025, 0.05)
 
 camera = renderer.GetActiveCamera()
 camera.SetFocalPoint(west + 165 * dx, south + 265 * dy, 1900.0)
-camera.SetPosition(west + 140 * dx, south + 460 * dy, 5200.0)  # from the north, into the crater
+camera.SetPosition(west + 140 * dx, south + 460 * dy, 5200.0)  # from the north, looking into the crater
 camera.SetViewUp(0.0, 0.0, 1.0)
 window = skyline.vtkSkylineEGLWindow()
 window.SetMultiSamples(4)

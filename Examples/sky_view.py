@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How much sky does every post of a DEM see?    sky_view.py DEM OUT.tif"""
+"""How much sky does each post of a DEM see? A post is the centre of a raster pixel with its height.
+
+Usage: sky_view.py DEM OUT.tif
+"""
 
 import sys
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The sun wanders over a DEM: pictures of one day, and a strip of them.
+"""The sun over a DEM during one day: a picture for each of several hours, and all of them side by side.
 
-    sun_over_a_day.py DEM STRIP.png [FRAMES_FOLDER]
+Usage: sun_over_a_day.py DEM STRIP.png [FRAMES_FOLDER]
 
-The frames become a film by: ffmpeg -framerate 4 -i FRAMES_FOLDER/%02d.png day.mp4
+To make a film of the frames: ffmpeg -framerate 4 -i FRAMES_FOLDER/%02d.png day.mp4
 """
 
 import os
@@ -13,11 +13,11 @@ import numpy as np
 import skyline
 
 DAY = ["21T12:45", "21T13:15", "21T14:00", "21T16:00", "21T20:00", "22T00:00", "22T02:30", "22T03:30"]
-SHRINK = 2  # pixels of a frame that become one of the strip
+SHRINK = 2  # so many pixels of a frame become one pixel of the strip
 
 
 def smaller(picture):
-    """Means of SHRINK x SHRINK pixels."""
+    """The picture, reduced to the means of SHRINK x SHRINK pixels."""
     rows, columns = (size // SHRINK for size in picture.shape[:2])
     blocks = picture[:rows * SHRINK, :columns * SHRINK].reshape(rows, SHRINK, columns, SHRINK, -1)
     return blocks.mean(axis=(1, 3)).astype(np.uint8)
@@ -26,10 +26,10 @@ def smaller(picture):
 if len(sys.argv) not in (3, 4):
     sys.exit("usage: sun_over_a_day.py DEM STRIP.png [FRAMES_FOLDER]")
 
-# What the sky gives is the same all day: computed once.
+# The light of the sky does not change during the day, so it is computed once.
 terrain = skyline.sky_view(skyline.read(sys.argv[1]), azimuths=36)
 
-sun = skyline.vtkSkylineSunLight()  # shared by both filters
+sun = skyline.vtkSkylineSunLight()  # both filters use it
 sun.UseTimeOn()
 
 shadow = skyline.vtkHeightFieldSunShadow()
@@ -40,7 +40,7 @@ shading = skyline.vtkHeightFieldShading()
 shading.SetInputConnection(shadow.GetOutputPort())
 shading.SetInputArrayToProcess(0, 0, 0, 0, "Elevation")
 shading.SetSun(sun)
-shading.AutoExposureOff()  # one exposure for the whole day
+shading.AutoExposureOff()  # the same exposure for the whole day
 
 frames = []
 for number, moment in enumerate(DAY):

@@ -4,8 +4,10 @@
 #define skyline_FieldImage_h
 
 #include "Reference/Oracle.h"
+#include "Reference/Shapes.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Frame times of `skyline view` by pass, while a hand moves the camera, the sun and a lamp.
 
-    PYTHONPATH=Testing/Tools /usr/bin/python3 Testing/Viewer/FrameTimes.py PROGRAM [DISPLAY]
+    PYTHONPATH=Testing/Tools /usr/bin/python3 Studies/FrameTimes.py PROGRAM [DISPLAY]
 
 Without DISPLAY in an X server that nobody sees, on Mesa's llvmpipe. Prints a table: for each pass the
 least and the median wall milliseconds of the pictures in which it ran.

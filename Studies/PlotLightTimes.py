@@ -2,7 +2,7 @@
 """Draws what SkylineLightTimes prints: cost against posts and against azimuths, as one SVG.
 
     build/bin/SkylineLightTimes 8192 > times.csv
-    python3 Testing/Irradiance/PlotTimes.py times.csv cost.svg
+    python3 Studies/PlotLightTimes.py times.csv cost.svg
 """
 import csv
 import math

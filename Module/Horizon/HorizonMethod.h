@@ -26,7 +26,7 @@ enum class HorizonMethodKind
 };
 
 /// Radians by which Fast may miss, certified for every surface and height: 0.25 degrees. On terrain
-/// the rmse stays below 0.03 degrees (Testing/Benchmarks prints it).
+/// the rmse stays below 0.03 degrees (Studies/CompareHorizons.cxx prints it).
 constexpr double FastTolerance = 0.25 * RadiansPerDegree;
 
 struct HorizonSettings

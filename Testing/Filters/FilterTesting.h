@@ -4,19 +4,11 @@
 #define skyline_FilterTesting_h
 
 #include "Reference/FieldImage.h"
-#include "Reference/Shapes.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
-#include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkSmartPointer.h"
 
 #include <string>
-#include <vector>
 
 namespace skyline
 {
