@@ -6,6 +6,7 @@
 #include "HorizonCache.h"
 #include "Shared/Constants.h"
 #include "Sky/LightAccumulator.h"
+#include "SkylineFiltersModule.h" // for the export macro
 
 #include <array>
 #include <vector>
@@ -42,7 +43,7 @@ SkyDisc DiscOf(vtkSkylineKeyLight* light);
 
 /// The same, with UseTime as the sun stands over the middle of the scene; in an eclipse with the light
 /// that the Moon leaves there.
-SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonScene& scene);
+SKYLINEFILTERS_EXPORT SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonScene& scene);
 
 /// A disc with an azimuth on the image as it stands over the middle of the scene.
 SkyDisc InMiddle(SkyDisc disc, const HorizonScene& scene);

@@ -8,6 +8,7 @@
 #include "PlacedSun.h"
 #include "Shared/Constants.h"
 
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkScalarsToColors.h"
 
@@ -29,36 +30,40 @@ constexpr double Missing = std::numeric_limits<double>::quiet_NaN();
 class ArrayRow
 {
 public:
-  ArrayRow(vtkDataArray* array, vtkIdType columns, int components)
+  ArrayRow(vtkDataArray* array, vtkIdType columns)
     : Array(array)
     , Columns(columns)
-    , Values(array ? static_cast<std::size_t>(columns * components) : 0)
+    , Components(array ? array->GetNumberOfComponents() : 0)
+    , Values(static_cast<std::size_t>(columns * this->Components))
   {
   }
 
-  /// The values of a row; null without an array.
-  const double* Read(vtkIdType row)
+  void Read(vtkIdType row)
   {
-    if (!this->Array)
+    if (this->Array)
     {
-      return nullptr;
+      ReadTuples(this->Array, row * this->Columns, this->Columns, this->Values.data());
     }
-    ReadTuples(this->Array, row * this->Columns, this->Columns, this->Values.data());
-    return this->Values.data();
+  }
+
+  /// The components at a column; null without an array.
+  const double* At(vtkIdType column) const
+  {
+    return this->Array ? this->Values.data() + column * this->Components : nullptr;
   }
 
 private:
   vtkDataArray* Array;
-  vtkIdType Columns;
+  vtkIdType Columns, Components;
   std::vector<double> Values;
 };
 
 /// What reaches one post.
 struct PostLight
 {
-  double SunVisibility;
-  const double* Sky;     ///< null: that of a plane with the post's slope
-  const double* Further; ///< null: none
+  const double* SunVisibility; ///< null: all of the sun
+  const double* Sky;           ///< null: that of a plane with the post's slope
+  const double* Further;       ///< null: none
 };
 
 /// Irradiance over pi of a post with slopes east and north and a sun in the direction x, y, z.
@@ -67,11 +72,12 @@ Rgb LightOf(const MapLights& lights, const PostLight& post, double east, double 
 {
   const double up = 1.0 / std::sqrt(1.0 + east * east + north * north);
   const double facing = std::max(0.0, up * (z - east * x - north * y));
+  const double lit = post.SunVisibility ? *post.SunVisibility : 1.0;
   const double sky = post.Sky ? *post.Sky : 0.5 * (1.0 + up);
   Rgb light;
   for (std::size_t c = 0; c < 3; ++c)
   {
-    light[c] = static_cast<float>(lights.SunIrradiance[c] * post.SunVisibility * facing / Pi +
+    light[c] = static_cast<float>(lights.SunIrradiance[c] * lit * facing / Pi +
       lights.SkyRadiance[c] * sky + (post.Further ? post.Further[c] / Pi : 0.0));
   }
   return light;
@@ -139,9 +145,9 @@ void MapLight::LightRows(const MapLights& lights, const GroundColors& colors, vt
   float* x = directions.data();
   float* y = x + columns;
   float* z = y + columns;
-  ArrayRow visibilities(lights.SunVisibility, columns, 1);
-  ArrayRow skies(lights.Sky, columns, 1);
-  ArrayRow furthers(lights.Further, columns, 3);
+  ArrayRow visibility(lights.SunVisibility, columns);
+  ArrayRow sky(lights.Sky, columns);
+  ArrayRow further(lights.Further, columns);
   const bool alike = this->Metric.Uniform() || this->Metric.ByRows();
   this->ReadHeights(first - 1, south);
   this->ReadHeights(first, here);
@@ -149,9 +155,9 @@ void MapLight::LightRows(const MapLights& lights, const GroundColors& colors, vt
   {
     this->ReadHeights(row + 1, north);
     this->Sun.Row(row, 0, columns, x, y, z);
-    const double* visibility = visibilities.Read(row);
-    const double* sky = skies.Read(row);
-    const double* further = furthers.Read(row);
+    visibility.Read(row);
+    sky.Read(row);
+    further.Read(row);
     const PostMetric ofRow = this->Metric.At(0.0, static_cast<double>(row));
     float* to = radiance + 3 * row * columns;
     for (vtkIdType i = 0; i < columns; ++i, to += 3)
@@ -169,8 +175,7 @@ void MapLight::LightRows(const MapLights& lights, const GroundColors& colors, vt
       // A column lies a little further north than the one before where the map is sheared.
       const double slopeX =
         AxisGradient(west, here[i], east, metric.X) - slopeY * metric.Shear / metric.X;
-      const PostLight post{ visibility ? visibility[i] : 1.0, sky ? sky + i : nullptr,
-        further ? further + 3 * i : nullptr };
+      const PostLight post{ visibility.At(i), sky.At(i), further.At(i) };
       const Rgb light = LightOf(lights, post, slopeX, slopeY, x[i], y[i], z[i]);
       const Rgb albedo = colors(here[i]);
       for (std::size_t c = 0; c < 3; ++c)

@@ -3,6 +3,8 @@
 #ifndef skyline_NearName_h
 #define skyline_NearName_h
 
+#include "SkylineCoreModule.h" // for the export macro
+
 #include <string>
 #include <vector>
 
@@ -10,10 +12,12 @@ namespace skyline
 {
 
 /// Of `names`, that which `word` was probably meant to be; empty if none is near.
-std::string Nearest(const std::string& word, const std::vector<std::string>& names);
+SKYLINECORE_EXPORT std::string Nearest(
+  const std::string& word, const std::vector<std::string>& names);
 
 /// "; did you mean NAME?", or nothing.
-std::string DidYouMean(const std::string& word, const std::vector<std::string>& names);
+SKYLINECORE_EXPORT std::string DidYouMean(
+  const std::string& word, const std::vector<std::string>& names);
 
 } // namespace skyline
 

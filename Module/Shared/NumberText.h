@@ -6,6 +6,8 @@
 #ifndef skyline_NumberText_h
 #define skyline_NumberText_h
 
+#include "SkylineCoreModule.h" // for the export macro
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,20 +16,21 @@ namespace skyline
 {
 
 /// The finite number that the whole text is; none for any other text.
-std::optional<double> ReadNumber(const std::string& text);
+SKYLINECORE_EXPORT std::optional<double> ReadNumber(const std::string& text);
 
 /// The finite numbers between separators; none if any part is no number.
-std::optional<std::vector<double>> ReadNumbers(const std::string& text, char separator = ',');
+SKYLINECORE_EXPORT std::optional<std::vector<double>> ReadNumbers(
+  const std::string& text, char separator = ',');
 
 /// What is wrong with a text that ReadNumber refuses: "12m is no number: leave m out, units are told in
 /// the help".
-std::string WhyNoNumber(const std::string& text);
+SKYLINECORE_EXPORT std::string WhyNoNumber(const std::string& text);
 
 /// The same for a list of numbers: what is wrong with the first part that is no number; empty: nothing.
-std::string WhyNoNumbers(const std::string& text, char separator = ',');
+SKYLINECORE_EXPORT std::string WhyNoNumbers(const std::string& text, char separator = ',');
 
 /// A number as messages and help show it.
-std::string NumberText(double number);
+SKYLINECORE_EXPORT std::string NumberText(double number);
 
 } // namespace skyline
 

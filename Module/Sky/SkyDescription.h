@@ -3,6 +3,8 @@
 #ifndef skyline_SkyDescription_h
 #define skyline_SkyDescription_h
 
+#include "SkylineCoreModule.h" // for the export macro
+
 #include <string>
 
 namespace skyline
@@ -35,13 +37,13 @@ struct SkyDescription
 };
 
 /// The sky of a light map's file.
-SkyDescription SkyOfFile(const std::string& file);
+SKYLINECORE_EXPORT SkyDescription SkyOfFile(const std::string& file);
 
 /// Reads "uniform"; "cie:N", N from 1 to 16; "perez:DIRECT,DIFFUSE" in W/m2; with `takesNone` also "none".
 /// Any other text is the name of a light map's file, which is not opened. Throws std::invalid_argument,
 /// naming text and cure, for a number out of range, and for a word without a point or slash that no file
 /// has as its name.
-SkyDescription ParseSky(const std::string& text, bool takesNone = false);
+SKYLINECORE_EXPORT SkyDescription ParseSky(const std::string& text, bool takesNone = false);
 
 } // namespace skyline
 

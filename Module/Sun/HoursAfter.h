@@ -3,6 +3,7 @@
 #ifndef skyline_HoursAfter_h
 #define skyline_HoursAfter_h
 
+#include "SkylineCoreModule.h" // for the export macro
 #include "Sun/UtcTime.h"
 
 namespace skyline
@@ -11,7 +12,7 @@ namespace skyline
 /// The moment `hours` (also negative; -1e7 to 1e7, both excluded) after `time`. Leap seconds between the
 /// two are not counted. With 0 hours the same moment. Throws std::invalid_argument, naming the number, for
 /// other hours.
-UtcTime HoursAfter(const UtcTime& time, double hours);
+SKYLINECORE_EXPORT UtcTime HoursAfter(const UtcTime& time, double hours);
 
 } // namespace skyline
 
