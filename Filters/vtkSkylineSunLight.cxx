@@ -5,6 +5,8 @@
 #include "HeightArray.h"
 #include "PlacedSun.h"
 #include "Shared/Constants.h"
+#include "Sun/SunPosition.h"
+#include "Sun/UtcTime.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -12,6 +14,25 @@
 #include <exception>
 
 vtkStandardNewMacro(vtkSkylineSunLight);
+
+std::string vtkSkylineSunLight::FindTimeError(const std::string& text)
+{
+  try
+  {
+    const skyline::SunEphemeris years(
+      skyline::ParseUtcTime(text)); // throws for years that it does not know
+    return "";
+  }
+  catch (const std::exception& reason)
+  {
+    return reason.what();
+  }
+}
+
+bool vtkSkylineSunLight::NamesZone(const std::string& text)
+{
+  return skyline::NamesZone(text);
+}
 
 double vtkSkylineSunLight::GetLargestRadius()
 {

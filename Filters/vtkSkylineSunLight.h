@@ -71,6 +71,13 @@ public:
   ///@}
 
   ///@{
+  /// What is wrong with a text as a Time, in one line (empty: nothing), and whether a text that is one says
+  /// in which zone its clock is.
+  static std::string FindTimeError(const std::string& text);
+  static bool NamesZone(const std::string& text);
+  ///@}
+
+  ///@{
   /// Hours after Time, also negative, at which the sun is taken: a number to animate. Default 0.
   vtkSetMacro(HoursLater, double);
   vtkGetMacro(HoursLater, double);

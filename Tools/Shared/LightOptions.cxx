@@ -3,9 +3,10 @@
 
 #include "IdleOptions.h"
 #include "Shared/Constants.h"
-#include "Sun/SunPosition.h"
 #include "Sun/UtcTime.h"
 #include "Values.h"
+
+#include "vtkSkylineSunLight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,11 @@ std::vector<double> ParseNumbers(const std::string& text, const std::string& cur
 
 std::string ParseTime(const std::string& text)
 {
-  const SunEphemeris years(ParseUtcTime(text)); // throws for years that it does not know
+  const std::string error = vtkSkylineSunLight::FindTimeError(text);
+  if (!error.empty())
+  {
+    throw std::invalid_argument(error);
+  }
   return text;
 }
 
