@@ -219,6 +219,15 @@ TEST(SunOfFilters, WhatIsWrongIsNamed)
   expect("sun elevation 91");
 }
 
+TEST(SunOfFilters, TimesAreCheckedBeforeUse)
+{
+  EXPECT_EQ(vtkSkylineSunLight::FindTimeError(Morning), "");
+  EXPECT_NE(vtkSkylineSunLight::FindTimeError("21 June").find("is not a time"), std::string::npos);
+  EXPECT_NE(vtkSkylineSunLight::FindTimeError("2101-01-01").find("2100"), std::string::npos);
+  EXPECT_TRUE(vtkSkylineSunLight::NamesZone(Morning));
+  EXPECT_FALSE(vtkSkylineSunLight::NamesZone("2026-06-21T14:00"));
+}
+
 TEST(SkyOfEnvironment, IsReadFromText)
 {
   vtkNew<vtkSkylineEnvironmentLight> light;
