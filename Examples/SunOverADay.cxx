@@ -49,17 +49,18 @@ int main(int argc, char* argv[])
   sky->SetNumberOfAzimuths(36);
   sky->Update();
 
+  vtkNew<vtkSkylineSunLight>
+    sun; // both filters use it; it computes its position from time and place
+  sun->UseTimeOn();
   vtkNew<vtkHeightFieldSunShadow> shadow;
   shadow->SetInputConnection(sky->GetOutputPort());
-  shadow->UseTimeOn();
+  shadow->SetSun(sun);
   vtkNew<vtkHeightFieldShading> shading;
   shading->SetInputConnection(shadow->GetOutputPort());
   shading->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
-  shading->UseTimeOn();
+  shading->SetSun(sun);
   shading->AutoExposureOff(); // the same exposure for the whole day
 
-  vtkNew<vtkSkylineSunLight> sun; // computes its position from time and place
-  sun->UseTimeOn();
   vtkNew<vtkImageAppend> rows[2];
   for (int frame = 0; frame < 2 * Half; ++frame)
   {
@@ -71,12 +72,9 @@ int main(int argc, char* argv[])
       return EXIT_FAILURE; // the reason has been printed
     }
     const double height = std::clamp(direction[1] / 25.0, 0.0, 1.0); // a low sun is weak and red
-    shading->SetSunIrradiance(
-      3.0 * std::pow(height, 0.4), 2.8 * std::pow(height, 0.7), 2.5 * height);
+    sun->SetIrradiance(3.0 * std::pow(height, 0.4), 2.8 * std::pow(height, 0.7), 2.5 * height);
     const double blue = 0.05 + 0.15 * height;
     shading->SetSkyRadiance(0.8 * blue, 1.0 * blue, 1.35 * blue);
-    shadow->SetTime(time.c_str());
-    shading->SetTime(time);
     shading->Update();
 
     vtkDataArray* lit = shadow->GetOutput()->GetPointData()->GetArray("SunVisibility");

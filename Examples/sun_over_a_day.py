@@ -29,14 +29,17 @@ if len(sys.argv) not in (3, 4):
 # The light of the sky does not change during the day, so it is computed once.
 terrain = skyline.sky_view(skyline.read(sys.argv[1]), azimuths=36)
 
+sun = skyline.vtkSkylineSunLight()  # both filters use it
+sun.UseTimeOn()
+
 shadow = skyline.vtkHeightFieldSunShadow()
 shadow.SetInputData(terrain)
-shadow.UseTimeOn()
+shadow.SetSun(sun)
 
 shading = skyline.vtkHeightFieldShading()
 shading.SetInputConnection(shadow.GetOutputPort())
 shading.SetInputArrayToProcess(0, 0, 0, 0, "Elevation")
-shading.UseTimeOn()
+shading.SetSun(sun)
 shading.AutoExposureOff()  # the same exposure for the whole day
 
 frames = []
@@ -44,11 +47,10 @@ for number, moment in enumerate(DAY):
     time = f"2026-06-{moment}Z"
     azimuth, elevation, _ = skyline.sun_position(terrain, time)
     height = min(max(elevation / 25.0, 0.0), 1.0)  # a low sun is weak and red
-    shading.SetSunIrradiance(3.0 * height ** 0.4, 2.8 * height ** 0.7, 2.5 * height)
+    sun.SetIrradiance(3.0 * height ** 0.4, 2.8 * height ** 0.7, 2.5 * height)
     sky = 0.05 + 0.15 * height
     shading.SetSkyRadiance(0.8 * sky, 1.0 * sky, 1.35 * sky)
-    shadow.SetTime(time)
-    shading.SetTime(time)
+    sun.SetTime(time)
     shading.Update()
     picture = shading.GetOutput()
     lit = np.nanmean(skyline.to_array(picture, "SunVisibility"))

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HorizonInput.h"
 
-#include "Data/MemoryDemand.h"
 #include "Data/ImageGeoreference.h"
+#include "Data/MemoryDemand.h"
 #include "Geo/RayBending.h"
 #include "HeightChecksum.h"
 #include "HeightField/BaseHeight.h"

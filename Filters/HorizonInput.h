@@ -9,12 +9,16 @@
 #include "HeightField/HeightField.h"
 #include "Shared/Doubt.h"
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

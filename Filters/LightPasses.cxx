@@ -3,9 +3,8 @@
 
 #include "HorizonDriver.h"
 #include "Lamps/LampIrradiance.h"
-#include "Sun/Eclipse.h"
+#include "PlacedSun.h"
 #include "Sun/SunAccumulator.h"
-#include "Sun/SunField.h"
 #include "vtkSkylineKeyLight.h"
 #include "vtkSkylineLampLight.h"
 #include "vtkSkylineSunLight.h"
@@ -133,22 +132,17 @@ SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonDriver& driver)
   SkyDisc disc = DiscOf(light);
   if (light->GetUseTime())
   {
-    const SunField sun(
-      driver.Input().Place(), ParseUtcTime(light->GetTime()), driver.Input().BaseHeight());
-    const GridSun middle = sun.At(0.5 * static_cast<double>(driver.Input().Posts().Columns - 1),
-      0.5 * static_cast<double>(driver.Input().Posts().Rows - 1));
+    const SunField sun = SunFieldOf(light, driver.Input().Place(), driver.Input().BaseHeight());
+    const GridSun middle = InTheMiddle(sun, driver.Input().Place());
     disc.Azimuth = middle.Azimuth * RadiansPerDegree;
     disc.Elevation = middle.Elevation * RadiansPerDegree;
-    disc.Radius = light->GetTrueRadius() ? middle.Radius * RadiansPerDegree : disc.Radius;
-    const EclipseField eclipse(
-      driver.Input().Place(), ParseUtcTime(light->GetTime()), driver.Input().BaseHeight());
+    disc.Radius = RadiusOf(light, sun) * RadiansPerDegree;
+    const EclipseField eclipse =
+      EclipseFieldOf(light, driver.Input().Place(), driver.Input().BaseHeight());
     if (eclipse.Any())
     {
       const double covered =
-        eclipse
-          .At(0.5 * static_cast<double>(driver.Input().Posts().Columns - 1),
-            0.5 * static_cast<double>(driver.Input().Posts().Rows - 1))
-          .Obscuration(light->GetLimbDarkening() ? EddingtonLimbDarkening : 0.0);
+        InTheMiddle(eclipse, driver.Input().Place()).Obscuration(LimbDarkeningOf(light));
       for (double& channel : disc.Irradiance)
       {
         channel *= 1.0 - covered;
@@ -165,9 +159,7 @@ SkyDisc InMiddle(SkyDisc disc, const HorizonDriver& driver)
     disc.Elevation * DegreesPerRadian, disc.Radius * DegreesPerRadian);
   if (!field.Same())
   {
-    const GridSun middle = field.At(0.5 * static_cast<double>(driver.Input().Posts().Columns - 1),
-      0.5 * static_cast<double>(driver.Input().Posts().Rows - 1));
-    disc.Azimuth = middle.Azimuth * RadiansPerDegree;
+    disc.Azimuth = InTheMiddle(field, driver.Input().Place()).Azimuth * RadiansPerDegree;
   }
   return disc;
 }
@@ -280,19 +272,11 @@ bool AddSun(
   HorizonDriver& driver, HorizonCache& cache, vtkSkylineSunLight* light, const LitPosts& posts)
 {
   SkyDisc disc = DiscOf(light);
-  const double darkening = light->GetLimbDarkening() ? EddingtonLimbDarkening : 0.0;
-  const SunField sun = light->GetUseTime()
-    ? SunField(driver.Input().Place(), ParseUtcTime(light->GetTime()), driver.Input().BaseHeight())
-    : SunField::OnImage(driver.Input().Place(), std::fmod(light->GetAzimuth(), 360.0),
-        light->GetElevation(), light->GetAngularRadius());
-  const EclipseField eclipse = light->GetUseTime()
-    ? EclipseField(
-        driver.Input().Place(), ParseUtcTime(light->GetTime()), driver.Input().BaseHeight())
-    : EclipseField();
-  if (light->GetUseTime() && light->GetTrueRadius())
-  {
-    disc.Radius = sun.Radius() * RadiansPerDegree;
-  }
+  const SunField sun = SunFieldOf(light, driver.Input().Place(), driver.Input().BaseHeight());
+  const EclipseField eclipse =
+    EclipseFieldOf(light, driver.Input().Place(), driver.Input().BaseHeight());
+  disc.Radius = RadiusOf(light, sun) * RadiansPerDegree;
+  const double darkening = LimbDarkeningOf(light);
   return AddSun(driver, cache, sun, eclipse, disc, darkening, posts);
 }
 

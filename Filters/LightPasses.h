@@ -6,6 +6,7 @@
 #include "HorizonCache.h"
 #include "Shared/Constants.h"
 #include "Sky/LightAccumulator.h"
+#include "SkylineFiltersModule.h" // for the export macro
 
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
 
@@ -46,14 +47,13 @@ SkyDisc DiscOf(vtkSkylineKeyLight* light);
 
 /// The same, with UseTime as the sun stands over the middle of the scene; in an eclipse with the light
 /// that the Moon leaves there.
-SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonDriver& driver);
+SKYLINEFILTERS_EXPORT SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonDriver& driver);
 
 /// A disc with an azimuth on the image as it stands over the middle of the driver.
 SkyDisc InMiddle(SkyDisc disc, const HorizonDriver& driver);
 
-/// Discs up to this radius, radians, are lit as a whole and shadowed by their lit part; of larger
-/// ones the parts have different cosines, and they become light maps.
-constexpr double LargestSun = 3.0 * RadiansPerDegree;
+/// LargestSunRadius in radians; larger discs become light maps.
+constexpr double LargestSun = LargestSunRadius * RadiansPerDegree;
 
 /// A light map that holds a disc alone, with pixels of a sixteenth of its radius or less.
 std::vector<float> DrawDisc(const SkyDisc& disc, int& columns, int& rows);

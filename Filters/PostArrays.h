@@ -3,10 +3,14 @@
 #ifndef skyline_PostArrays_h
 #define skyline_PostArrays_h
 
+#include "vtkSkylineABINamespace.h" // for the ABI namespace
+
 #include <cstddef>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkFloatArray;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldAlgorithm.h"
 
-#include "Data/MemoryDemand.h"
 #include "Data/Warnings.h"
+#include "HeightArray.h"
 #include "HorizonDriver.h"
 #include "PyramidCache.h"
 #include "Shared/Constants.h"
@@ -14,28 +14,14 @@
 #include "vtkInformationVector.h"
 #include "vtkVersionMacros.h"
 
-#include <exception>
-#include <new>
+#include <stdexcept>
+#include <string>
 
 namespace
 {
 
 // Near hot ground k was measured down to about -5. Far below -100 all terrain would sink away.
 constexpr double LeastRefraction = -100.0;
-
-void CheckHeights(vtkImageData* input, vtkDataArray* heights)
-{
-  if (heights == nullptr || heights->GetNumberOfTuples() != input->GetNumberOfPoints())
-  {
-    throw std::invalid_argument(
-      "the input has no heights: name its point array by SetInputArrayToProcess");
-  }
-  if (heights->GetNumberOfComponents() != 1)
-  {
-    throw std::invalid_argument("the heights have " +
-      std::to_string(heights->GetNumberOfComponents()) + " components; give one a post");
-  }
-}
 
 } // namespace
 
@@ -100,54 +86,53 @@ int vtkHeightFieldAlgorithm::RequestData(
   vtkImageData* input = vtkImageData::GetData(in[0]);
   vtkImageData* output = vtkImageData::GetData(out);
   vtkDataArray* heights = this->GetInputArrayToProcess(0, in);
-  try
+  const std::string failure = skyline::ReasonOfFailure(input,
+    [&]
+    {
+      skyline::CheckWhole(in[0]->GetInformationObject(0));
+      skyline::CheckHeights(input, heights);
+      this->Search(input, heights, output);
+    });
+  if (!failure.empty())
   {
-    skyline::CheckWhole(in[0]->GetInformationObject(0));
-    CheckHeights(input, heights);
-    skyline::HorizonInput surface(input, heights);
-    const skyline::HorizonSettings settings = this->Settings(surface);
-    if (this->Method != PYRAMID)
-    {
-      this->Pyramids->Clear();
-    }
-    skyline::HorizonDriver driver(surface, settings, this->Pyramids.get());
-    driver.Progress = [this](double part)
-    {
-      this->UpdateProgress(part);
+    output->Initialize();
+    vtkErrorMacro(<< failure);
+    return 0;
+  }
+  skyline::KeepPiece(out->GetInformationObject(0));
+  return 1;
+}
+
+void vtkHeightFieldAlgorithm::Search(
+  vtkImageData* input, vtkDataArray* heights, vtkImageData* output)
+{
+  skyline::HorizonInput surface(input, heights);
+  const skyline::HorizonSettings settings = this->Settings(surface);
+  if (this->Method != PYRAMID)
+  {
+    this->Pyramids->Clear();
+  }
+  skyline::HorizonDriver driver(surface, settings, this->Pyramids.get());
+  driver.Progress = [this](double part)
+  {
+    this->UpdateProgress(part);
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-      return !this->CheckAbort();
+    return !this->CheckAbort();
 #else
-      return this->GetAbortExecute() == 0;
+    return this->GetAbortExecute() == 0;
 #endif
-    };
-    output->ShallowCopy(input);
-    const bool finished = this->Compute(driver, output);
-    for (const skyline::Doubt& doubt : driver.Doubts())
-    {
-      skyline::Warn(this, doubt);
-    }
-    this->PrepareSeconds = driver.PrepareSeconds;
-    this->SearchSeconds = driver.SearchSeconds;
-    this->PyramidBuilds = driver.PyramidBuilds;
-    if (!finished)
-    {
-      output->Initialize();
-    }
-    skyline::KeepPiece(out->GetInformationObject(0));
-    return 1;
-  }
-  catch (const std::bad_alloc&)
+  };
+  output->ShallowCopy(input);
+  const bool finished = this->Compute(driver, output);
+  for (const skyline::Doubt& doubt : driver.Doubts())
   {
-    const int* posts = input->GetDimensions();
-    output->Initialize();
-    vtkErrorMacro(<< "not enough memory for " << posts[0] << " x " << posts[1]
-                  << " posts (std::bad_alloc); " << skyline::MemoryCure);
-    return 0;
+    skyline::Warn(this, doubt);
   }
-  catch (const std::exception& reason)
+  this->PrepareSeconds = driver.PrepareSeconds;
+  this->SearchSeconds = driver.SearchSeconds;
+  this->PyramidBuilds = driver.PyramidBuilds;
+  if (!finished)
   {
     output->Initialize();
-    vtkErrorMacro(<< reason.what());
-    return 0;
   }
 }

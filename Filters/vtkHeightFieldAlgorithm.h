@@ -28,8 +28,8 @@ class HorizonInput;
 class PyramidCache;
 struct HorizonSettings;
 } // namespace skyline
-
 VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
 class vtkImageData;
 
 class SKYLINEFILTERS_EXPORT vtkHeightFieldAlgorithm : public vtkImageAlgorithm
@@ -147,6 +147,8 @@ protected:
   int PyramidBuilds = 0;
 
 private:
+  void Search(vtkImageData* input, vtkDataArray* heights, vtkImageData* output);
+
   vtkHeightFieldAlgorithm(const vtkHeightFieldAlgorithm&) = delete;
   void operator=(const vtkHeightFieldAlgorithm&) = delete;
 

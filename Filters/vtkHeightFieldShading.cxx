@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldShading.h"
 
-#include "Color/ColorMaps.h"
 #include "Color/Daylight.h"
 #include "Color/ToneMap.h"
-#include "Data/ImageGeoreference.h"
-#include "Geo/GroundMetric.h"
-#include "HeightField/BaseHeight.h"
-#include "HeightField/Normals.h"
-#include "Shared/Constants.h"
-#include "Sun/SunField.h"
+#include "HeightArray.h"
+#include "MapLight.h"
 #include "WholeField.h"
 
 #include "vtkDataArray.h"
@@ -17,6 +12,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
@@ -26,9 +22,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <limits>
-#include <memory>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeightFieldShading);
@@ -46,151 +41,6 @@ constexpr vtkIdType LargestSample = 1 << 20;
 
 // The share of lit posts below the level that the automatic exposure sets.
 constexpr double SampleShare = 0.98;
-
-constexpr double Nothing = std::numeric_limits<double>::quiet_NaN();
-
-template <typename Value>
-void CopyRow(const Value* values, vtkIdType count, double* heights)
-{
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const double height = static_cast<double>(values[i]);
-    heights[i] = std::isfinite(height) ? height : Nothing;
-  }
-}
-
-// The heights of an image and the distances between them.
-struct Terrain
-{
-  vtkDataArray* Heights;
-  vtkIdType Columns, Rows;
-  skyline::PostSpacing Spacing;
-  skyline::Georeference Place;
-  std::unique_ptr<skyline::GroundMetric> Metric;
-
-  // Heights of one row, NaN where missing; all NaN outside the image.
-  void Read(vtkIdType row, double* heights) const
-  {
-    if (row < 0 || row >= this->Rows)
-    {
-      std::fill_n(heights, this->Columns, Nothing);
-      return;
-    }
-    switch (this->Heights->GetDataType())
-    {
-      vtkTemplateMacro(
-        CopyRow(static_cast<const VTK_TT*>(this->Heights->GetVoidPointer(row * this->Columns)),
-          this->Columns, heights));
-    }
-  }
-
-  // For the parallax and air of the sun, which hardly depend on it.
-  double MeanHeight() const
-  {
-    double range[2];
-    this->Heights->GetFiniteRange(range, 0);
-    return range[0] <= range[1]
-      ? skyline::BaseHeight(this->Heights->GetNumberOfTuples(), range[0], range[1],
-          [this](std::ptrdiff_t post) { return this->Heights->GetComponent(post, 0); })
-      : 0.0;
-  }
-};
-
-// What shines on all posts.
-struct Lights
-{
-  const double* SunIrradiance;
-  const double* SkyRadiance;
-  vtkDataArray* SunVisibility; // may be null
-  vtkDataArray* Sky;           // may be null
-  vtkDataArray* Further;       // irradiance, may be null
-};
-
-// Irradiance over pi of a post with slopes east and north and a sun in direction x, y, z.
-Rgb Light(const Lights& lights, vtkIdType post, double east, double north, const float* sun)
-{
-  const double up = 1.0 / std::sqrt(1.0 + east * east + north * north);
-  const double facing = std::max(0.0, up * (sun[2] - east * sun[0] - north * sun[1]));
-  const double lit = lights.SunVisibility ? lights.SunVisibility->GetComponent(post, 0) : 1.0;
-  const double sky = lights.Sky ? lights.Sky->GetComponent(post, 0) : 0.5 * (1.0 + up);
-  Rgb light;
-  for (int c = 0; c < 3; ++c)
-  {
-    light[c] = static_cast<float>(lights.SunIrradiance[c] * lit * facing / skyline::Pi +
-      lights.SkyRadiance[c] * sky +
-      (lights.Further ? lights.Further->GetComponent(post, c) / skyline::Pi : 0.0));
-  }
-  return light;
-}
-
-// Heights to albedo: a named map by table, or VTK's colours.
-struct Ground
-{
-  const skyline::ColorMap* Map;
-  vtkScalarsToColors* Table;
-  double Low, High;
-
-  Rgb operator()(double height) const
-  {
-    if (!this->Table)
-    {
-      return skyline::ColorAt(
-        *this->Map, skyline::PlaceOnMap(*this->Map, height, this->Low, this->High));
-    }
-    const unsigned char* color = this->Table->MapValue(height);
-    return Rgb{ { skyline::DecodeSrgb(color[0] / 255.0f), skyline::DecodeSrgb(color[1] / 255.0f),
-      skyline::DecodeSrgb(color[2] / 255.0f) } };
-  }
-};
-
-// Radiance of rows [first, last), three floats a post; NaN where the height is missing.
-void LightRows(const Terrain& terrain, const Lights& lights, const skyline::SunField& sun,
-  const Ground& ground, vtkIdType first, vtkIdType last, float* radiance)
-{
-  const vtkIdType columns = terrain.Columns;
-  std::vector<double> lines(static_cast<std::size_t>(3 * columns));
-  double* south = lines.data();
-  double* here = south + columns;
-  double* north = here + columns;
-  std::vector<float> directions(static_cast<std::size_t>(3 * columns));
-  float* x = directions.data();
-  float* y = x + columns;
-  float* z = y + columns;
-  for (vtkIdType row = first; row < last; ++row)
-  {
-    terrain.Read(row - 1, south);
-    terrain.Read(row, here);
-    terrain.Read(row + 1, north);
-    sun.Row(row, 0, columns, x, y, z);
-    const bool alike = terrain.Metric->Uniform() || terrain.Metric->ByRows();
-    const skyline::PostMetric ofRow = terrain.Metric->At(0.0, static_cast<double>(row));
-    for (vtkIdType i = 0; i < columns; ++i)
-    {
-      const skyline::PostMetric metric =
-        alike ? ofRow : terrain.Metric->At(static_cast<double>(i), static_cast<double>(row));
-      const vtkIdType post = row * columns + i;
-      float* to = radiance + 3 * post;
-      if (std::isnan(here[i]))
-      {
-        std::fill_n(to, 3, std::numeric_limits<float>::quiet_NaN());
-        continue;
-      }
-      const double west = i > 0 ? here[i - 1] : Nothing;
-      const double east = i + 1 < columns ? here[i + 1] : Nothing;
-      const float toSun[3] = { x[i], y[i], z[i] };
-      const Rgb albedo = ground(here[i]);
-      const double slopeY = skyline::AxisGradient(south[i], here[i], north[i], metric.Y);
-      // A column lies a little further north than the one before where the map is sheared.
-      const double slopeX =
-        skyline::AxisGradient(west, here[i], east, metric.X) - slopeY * metric.Shear / metric.X;
-      const Rgb light = Light(lights, post, slopeX, slopeY, toSun);
-      for (int c = 0; c < 3; ++c)
-      {
-        to[c] = albedo[c] * light[c];
-      }
-    }
-  }
-}
 
 // The exposure in stops that gives the percentile of luminance the level of the tone map's input.
 double FindExposure(const float* radiance, vtkIdType posts, double level)
@@ -231,16 +81,46 @@ void Develop(const float* radiance, vtkIdType first, vtkIdType last, float gain,
   }
 }
 
+vtkSmartPointer<vtkUnsignedCharArray> MakePicture(
+  const float* radiance, vtkIdType posts, double exposure)
+{
+  auto picture = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  picture->SetName("Picture");
+  picture->SetNumberOfComponents(4);
+  picture->SetNumberOfTuples(posts);
+  unsigned char* pixels = picture->GetPointer(0);
+  const float gain = static_cast<float>(std::exp2(std::clamp(exposure, -120.0, 120.0)));
+  vtkSMPTools::For(0, posts,
+    [&](vtkIdType first, vtkIdType last) { Develop(radiance, first, last, gain, pixels); });
+  return picture;
+}
+
 } // namespace
 
 vtkHeightFieldShading::vtkHeightFieldShading()
 {
-  const skyline::Daylight light = skyline::ClearDaylight(this->SunElevation);
-  std::copy(light.SunIrradiance.begin(), light.SunIrradiance.end(), this->SunIrradiance);
+  this->SetSun(nullptr);
+  const skyline::Daylight light = skyline::ClearDaylight(this->Sun->GetElevation());
   std::copy(light.SkyRadiance.begin(), light.SkyRadiance.end(), this->SkyRadiance);
 }
 
 vtkHeightFieldShading::~vtkHeightFieldShading() = default;
+
+void vtkHeightFieldShading::SetSun(vtkSkylineSunLight* sun)
+{
+  if (sun && sun == this->Sun)
+  {
+    return;
+  }
+  this->Sun = sun;
+  if (!sun)
+  {
+    this->Sun = vtkSmartPointer<vtkSkylineSunLight>::New();
+    const skyline::Rgb light = skyline::ClearDaylight(this->Sun->GetElevation()).SunIrradiance;
+    this->Sun->SetIrradiance(light[0], light[1], light[2]);
+  }
+  this->Modified();
+}
 
 void vtkHeightFieldShading::SetLookupTable(vtkScalarsToColors* table)
 {
@@ -258,7 +138,7 @@ vtkScalarsToColors* vtkHeightFieldShading::GetLookupTable()
 
 vtkMTimeType vtkHeightFieldShading::GetMTime()
 {
-  const vtkMTimeType own = this->Superclass::GetMTime();
+  const vtkMTimeType own = std::max(this->Superclass::GetMTime(), this->Sun->GetMTime());
   return this->LookupTable ? std::max(own, this->LookupTable->GetMTime()) : own;
 }
 
@@ -288,91 +168,69 @@ int vtkHeightFieldShading::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   vtkImageData* in = vtkImageData::GetData(input[0]);
-  vtkImageData* out = vtkImageData::GetData(output);
   vtkDataArray* heights = this->GetInputArrayToProcess(0, input);
-  if (!heights)
+  bool finished = false;
+  const std::string failure = skyline::ReasonOfFailure(in,
+    [&]
+    {
+      skyline::CheckWhole(input[0]->GetInformationObject(0));
+      skyline::CheckSurface(in);
+      skyline::CheckHeights(in, heights);
+      finished = this->Shade(in, heights, vtkImageData::GetData(output));
+    });
+  if (!failure.empty())
   {
-    vtkErrorMacro("no heights: the image has no point scalars");
+    vtkErrorMacro(<< failure);
     return 0;
   }
-  int size[3];
-  in->GetDimensions(size);
-  const vtkIdType columns = size[0];
-  const vtkIdType rows = size[1];
-  const vtkIdType posts = columns * rows;
-  if (size[2] != 1 || columns < 2 || rows < 2)
+  if (finished)
   {
-    vtkErrorMacro("no surface: " << columns << " x " << rows << " x " << size[2]
-                                 << " posts; a height field has at least 2 x 2 x 1");
-    return 0;
+    skyline::KeepPiece(output->GetInformationObject(0));
+    this->UpdateProgress(1.0);
   }
-  if (heights->GetNumberOfComponents() != 1 || heights->GetNumberOfTuples() != posts)
-  {
-    vtkErrorMacro("no heights: the array is not one number a post");
-    return 0;
-  }
-  const skyline::ColorMap* map = skyline::FindColorMap(this->ColorMap);
-  if (!map && !this->LookupTable)
-  {
-    vtkErrorMacro("no colour map named " << this->ColorMap);
-    return 0;
-  }
+  return 1;
+}
 
-  Terrain terrain{ heights, columns, rows, { in->GetSpacing()[0], in->GetSpacing()[1] }, {},
-    nullptr };
-  skyline::SunField sun = skyline::SunField::Constant(0.0, 90.0, 0.0);
-  try
-  {
-    skyline::CheckWhole(input[0]->GetInformationObject(0));
-    terrain.Place = skyline::GeoreferenceOf(in);
-    terrain.Metric = std::make_unique<skyline::GroundMetric>(terrain.Place, terrain.Spacing);
-    terrain.Place.GroundAxes = !terrain.Metric->Uniform();
-    sun = this->UseTime
-      ? skyline::SunField(terrain.Place, skyline::ParseUtcTime(this->Time), terrain.MeanHeight())
-      : skyline::SunField::OnImage(terrain.Place, this->SunAzimuth, this->SunElevation, 0.0);
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-
-  vtkDataArray* further = in->GetPointData()->GetArray(this->IrradianceArrayName.c_str());
-  if (further && (further->GetNumberOfComponents() != 3 || further->GetNumberOfTuples() != posts))
-  {
-    vtkErrorMacro("no irradiance: the array is not three numbers a post");
-    return 0;
-  }
-  const Lights lights{ this->SunIrradiance, this->SkyRadiance,
-    in->GetPointData()->GetArray("SunVisibility"),
-    in->GetPointData()->GetArray(this->SkyArrayName.c_str()), further };
-  double range[2] = { this->ColorRange[0], this->ColorRange[1] };
+void vtkHeightFieldShading::FindColorRange(vtkDataArray* heights, double range[2]) const
+{
+  std::copy_n(this->ColorRange, 2, range);
   if (!(range[0] < range[1]))
   {
     heights->GetFiniteRange(range, 0);
   }
-  if (this->LookupTable)
-  {
-    this->LookupTable->SetRange(range);
-    this->LookupTable->Build();
-  }
-  const Ground ground{ map, this->LookupTable, range[0], range[1] };
+}
 
-  vtkNew<vtkFloatArray> radiance;
+vtkDataArray* vtkHeightFieldShading::FindFurtherLight(vtkImageData* image) const
+{
+  vtkDataArray* light = image->GetPointData()->GetArray(this->IrradianceArrayName.c_str());
+  if (light &&
+    (light->GetNumberOfComponents() != 3 ||
+      light->GetNumberOfTuples() != image->GetNumberOfPoints()))
+  {
+    throw std::invalid_argument("no irradiance: the array is not three numbers a post");
+  }
+  return light;
+}
+
+vtkSmartPointer<vtkFloatArray> vtkHeightFieldShading::LightPosts(const skyline::MapLight& terrain,
+  const skyline::MapLights& lights, const skyline::GroundColors& colors, vtkImageData* image)
+{
+  auto radiance = vtkSmartPointer<vtkFloatArray>::New();
   radiance->SetName("Radiance");
   radiance->SetNumberOfComponents(3);
-  radiance->SetNumberOfTuples(posts);
+  radiance->SetNumberOfTuples(image->GetNumberOfPoints());
   float* light = radiance->GetPointer(0);
+  const vtkIdType rows = image->GetDimensions()[1];
   const vtkIdType strips = (rows + RowsPerStrip - 1) / RowsPerStrip;
   const auto lightStrips = [&](vtkIdType first, vtkIdType last)
   {
     for (vtkIdType strip = first; strip < last && !this->GetAbortExecute(); ++strip)
     {
-      LightRows(terrain, lights, sun, ground, strip * RowsPerStrip,
-        std::min(rows, (strip + 1) * RowsPerStrip), light);
+      terrain.LightRows(
+        lights, colors, strip * RowsPerStrip, std::min(rows, (strip + 1) * RowsPerStrip), light);
     }
   };
-  if (this->LookupTable)
+  if (colors.Table)
   {
     lightStrips(0, strips); // MapValue writes to a member of the table: one thread
   }
@@ -381,29 +239,46 @@ int vtkHeightFieldShading::RequestData(
     vtkSMPTools::For(0, strips, 1, lightStrips);
   }
   this->UpdateProgress(0.6);
-  if (this->GetAbortExecute())
-  {
-    return 1;
-  }
+  return this->GetAbortExecute() ? nullptr : radiance;
+}
 
+bool vtkHeightFieldShading::Shade(vtkImageData* in, vtkDataArray* heights, vtkImageData* out)
+{
+  const skyline::ColorMap* map = skyline::FindColorMap(this->ColorMap);
+  if (!map && !this->LookupTable)
+  {
+    throw std::invalid_argument("no colour map named " + this->ColorMap);
+  }
+  double range[2];
+  this->FindColorRange(heights, range);
+  if (this->LookupTable)
+  {
+    this->LookupTable->SetRange(range);
+    this->LookupTable->Build();
+  }
+  const skyline::GroundColors colors{ map, this->LookupTable, range[0], range[1] };
+  const double* sun = this->Sun->GetIrradiance();
+  const double shines = this->Sun->GetSwitch() ? 1.0 : 0.0;
+  const skyline::MapLights lights{ { { shines * sun[0], shines * sun[1], shines * sun[2] } },
+    { { this->SkyRadiance[0], this->SkyRadiance[1], this->SkyRadiance[2] } },
+    in->GetPointData()->GetArray("SunVisibility"),
+    in->GetPointData()->GetArray(this->SkyArrayName.c_str()), this->FindFurtherLight(in) };
+  const skyline::MapLight terrain(in, heights, this->Sun);
+
+  const auto radiance = this->LightPosts(terrain, lights, colors, in);
+  if (!radiance)
+  {
+    return false;
+  }
+  const float* light = radiance->GetPointer(0);
+  const vtkIdType posts = radiance->GetNumberOfTuples();
   this->UsedExposure =
     this->Exposure + (this->AutoExposure ? FindExposure(light, posts, AutoLevel) : 0.0);
-  const float gain = static_cast<float>(std::exp2(std::clamp(this->UsedExposure, -120.0, 120.0)));
-  vtkNew<vtkUnsignedCharArray> picture;
-  picture->SetName("Picture");
-  picture->SetNumberOfComponents(4);
-  picture->SetNumberOfTuples(posts);
-  unsigned char* pixels = picture->GetPointer(0);
-  vtkSMPTools::For(
-    0, posts, [&](vtkIdType first, vtkIdType last) { Develop(light, first, last, gain, pixels); });
-
   out->ShallowCopy(in);
   out->GetPointData()->AddArray(radiance);
-  out->GetPointData()->AddArray(picture);
+  out->GetPointData()->AddArray(MakePicture(light, posts, this->UsedExposure));
   out->GetPointData()->SetActiveScalars("Picture"); // SetScalars would drop the heights
-  skyline::KeepPiece(output->GetInformationObject(0));
-  this->UpdateProgress(1.0);
-  return 1;
+  return true;
 }
 
 void vtkHeightFieldShading::PrintSelf(ostream& os, vtkIndent indent)
@@ -411,11 +286,8 @@ void vtkHeightFieldShading::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const auto triple = [&](const char* name, const double* v)
   { os << indent << name << ": " << v[0] << " " << v[1] << " " << v[2] << "\n"; };
-  os << indent << "SunAzimuth: " << this->SunAzimuth << "\n";
-  os << indent << "SunElevation: " << this->SunElevation << "\n";
-  os << indent << "UseTime: " << this->UseTime << "\n";
-  os << indent << "Time: " << this->Time << "\n";
-  triple("SunIrradiance", this->SunIrradiance);
+  os << indent << "Sun:\n";
+  this->Sun->PrintSelf(os, indent.GetNextIndent());
   triple("SkyRadiance", this->SkyRadiance);
   os << indent << "SkyArrayName: " << this->SkyArrayName << "\n";
   os << indent << "IrradianceArrayName: " << this->IrradianceArrayName << "\n";

@@ -23,11 +23,21 @@
 #include "SkylineFiltersModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
-#include "vtkSmartPointer.h"        // For LookupTable
+#include "vtkSkylineSunLight.h"     // For the methods that set its properties
+#include "vtkSmartPointer.h"        // For Sun, LookupTable
 
 #include <string> // For names
 
+namespace skyline
+{
+class MapLight;
+struct GroundColors;
+struct MapLights;
+} // namespace skyline
+
 VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+class vtkFloatArray;
 class vtkScalarsToColors;
 
 class SKYLINEFILTERS_EXPORT vtkHeightFieldShading : public vtkImageAlgorithm
@@ -39,32 +49,39 @@ public:
 
   ///@{
   /**
-   * Azimuth of the sun, degrees clockwise from grid north. Default 315.
+   * The sun: a direction, or a time, and its irradiance (none where its Switch is off). The filter has one
+   * of its own, with the irradiance of ClearDaylight(45) in Daylight.h; a sun set here can be shared with
+   * other filters. Null gives the filter a new one.
    */
-  vtkSetMacro(SunAzimuth, double);
-  vtkGetMacro(SunAzimuth, double);
+  void SetSun(vtkSkylineSunLight* sun);
+  vtkSkylineSunLight* GetSun() { return this->Sun; }
   ///@}
 
   ///@{
   /**
-   * Apparent elevation of the sun above the level ground, degrees, -90 to 90. Default 45.
+   * Azimuth of the sun, degrees clockwise from grid north (default 315), and apparent elevation above the
+   * level ground, degrees, -90 to 90 (default 45). Unused with UseTime.
    */
-  vtkSetClampMacro(SunElevation, double, -90.0, 90.0);
-  vtkGetMacro(SunElevation, double);
+  void SetSunAzimuth(double degrees) { this->Sun->SetAzimuth(degrees); }
+  double GetSunAzimuth() { return this->Sun->GetAzimuth(); }
+  void SetSunElevation(double degrees) { this->Sun->SetElevation(degrees); }
+  double GetSunElevation() { return this->Sun->GetElevation(); }
   ///@}
 
   ///@{
   /**
-   * With UseTime, the sun's direction is that of the moment Time (ISO 8601, UTC without a zone)
-   * over each post, by the georeference in the input's field data; SunAzimuth and SunElevation are
-   * not used. Without a place on the Earth, or with a time that cannot be read, an error of the
-   * update. Defaults: off, empty.
+   * With UseTime, the sun's direction is that of the moment HoursLater (default 0) after Time (ISO 8601,
+   * UTC without a zone) over each post, by the georeference in the input's field data. Without a place on
+   * the Earth, or with a time that cannot be read, an error of the update. Defaults: off, empty.
    */
-  vtkSetMacro(UseTime, bool);
-  vtkGetMacro(UseTime, bool);
-  vtkBooleanMacro(UseTime, bool);
-  vtkSetMacro(Time, std::string);
-  vtkGetMacro(Time, std::string);
+  void SetUseTime(bool on) { this->Sun->SetUseTime(on); }
+  bool GetUseTime() { return this->Sun->GetUseTime(); }
+  void UseTimeOn() { this->SetUseTime(true); }
+  void UseTimeOff() { this->SetUseTime(false); }
+  void SetTime(const char* time) { this->Sun->SetTime(time); }
+  const char* GetTime() { return this->Sun->GetTime(); }
+  void SetHoursLater(double hours) { this->Sun->SetHoursLater(hours); }
+  double GetHoursLater() { return this->Sun->GetHoursLater(); }
   ///@}
 
   ///@{
@@ -72,8 +89,12 @@ public:
    * Irradiance by the unhidden sun of a surface that faces it, linear RGB, 0 and up. Default: that
    * of a clear day with the sun at 45 degrees.
    */
-  vtkSetVector3Macro(SunIrradiance, double);
-  vtkGetVector3Macro(SunIrradiance, double);
+  void SetSunIrradiance(double red, double green, double blue)
+  {
+    this->Sun->SetIrradiance(red, green, blue);
+  }
+  void SetSunIrradiance(const double rgb[3]) { this->Sun->SetIrradiance(rgb[0], rgb[1], rgb[2]); }
+  double* GetSunIrradiance() VTK_SIZEHINT(3) { return this->Sun->GetIrradiance(); }
   ///@}
 
   ///@{
@@ -159,7 +180,7 @@ public:
    */
   static constexpr double AutoLevel = 0.68;
 
-  /// The time of the last change of this filter or of its lookup table.
+  /// The time of the last change of this filter, of its sun or of its lookup table.
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -175,11 +196,14 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
-  double SunAzimuth = 315.0;
-  double SunElevation = 45.0;
-  bool UseTime = false;
-  std::string Time;
-  double SunIrradiance[3];
+  // Fills the output; false if stopped. Throws std::exception with a one-line reason.
+  bool Shade(vtkImageData* in, vtkDataArray* heights, vtkImageData* out);
+  vtkSmartPointer<vtkFloatArray> LightPosts(const skyline::MapLight& terrain,
+    const skyline::MapLights& lights, const skyline::GroundColors& colors, vtkImageData* image);
+  void FindColorRange(vtkDataArray* heights, double range[2]) const;
+  vtkDataArray* FindFurtherLight(vtkImageData* image) const;
+
+  vtkSmartPointer<vtkSkylineSunLight> Sun;
   double SkyRadiance[3];
   std::string SkyArrayName = "SkyViewFactor";
   std::string IrradianceArrayName;

@@ -2,10 +2,10 @@
 #include "vtkHeightFieldShadowHeight.h"
 
 #include "HorizonDriver.h"
+#include "PlacedSun.h"
 #include "PostArrays.h"
 #include "ShadowHeight/ShadowHeight.h"
 #include "ShadowHeight/ShadowHeightSweep.h"
-#include "Sun/SunField.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -83,15 +83,27 @@ private:
   bool BelowTerrain;
 };
 
+// The sun as one direction on the image: by time that over the middle of the posts.
+skyline::GridSun OneSun(vtkSkylineSunLight* light, const skyline::HorizonDriver& driver)
+{
+  skyline::Georeference place = driver.Input().Place();
+  place.GroundAxes = false;
+  const skyline::SunField field = skyline::SunFieldOf(light, place, driver.Input().BaseHeight());
+  if (!light->GetUseTime())
+  {
+    return { light->GetAzimuth(), light->GetElevation(), light->GetAngularRadius() };
+  }
+  skyline::GridSun sun = skyline::InTheMiddle(field, place);
+  sun.Radius = skyline::RadiusOf(light, field);
+  return sun;
+}
+
 } // namespace
 
 void vtkHeightFieldShadowHeight::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SunAzimuth: " << this->SunAzimuth << "\n"
-     << indent << "SunElevation: " << this->SunElevation << "\n"
-     << indent << "SunAngularRadius: " << this->SunAngularRadius << "\n"
-     << indent << "Soft: " << this->Soft << "\n"
+  os << indent << "Soft: " << this->Soft << "\n"
      << indent << "BelowTerrain: " << this->BelowTerrain << "\n";
 }
 
@@ -107,7 +119,7 @@ std::unique_ptr<skyline::HorizonMethod> vtkHeightFieldShadowHeight::MakeMethod(
 }
 
 bool vtkHeightFieldShadowHeight::AddShadow(skyline::HorizonDriver& driver, vtkImageData* output,
-  const char* name, double elevation, bool risen, bool belowTerrain)
+  const char* name, double azimuth, double elevation, bool risen, bool belowTerrain)
 {
   vtkFloatArray* shadows = skyline::AddPostArray(output, name);
   if (!risen)
@@ -118,9 +130,8 @@ bool vtkHeightFieldShadowHeight::AddShadow(skyline::HorizonDriver& driver, vtkIm
   }
   const auto method = this->MakeMethod(driver, skyline::ShadowSlope(elevation));
   ShadowStore store(driver, this->GetInputArrayToProcess(0, output), shadows, belowTerrain);
-  const bool finished =
-    driver.Run(*method, { std::fmod(this->SunAzimuth, 360.0) * skyline::RadiansPerDegree }, 0.0,
-      store, skyline::AzimuthAxes::Image);
+  const bool finished = driver.Run(
+    *method, { azimuth * skyline::RadiansPerDegree }, 0.0, store, skyline::AzimuthAxes::Image);
   skyline::BlankMissing(driver.Input().Field(), shadows);
   return finished;
 }
@@ -135,35 +146,36 @@ bool vtkHeightFieldShadowHeight::Compute(skyline::HorizonDriver& driver, vtkImag
   {
     throw std::invalid_argument("shadow heights are those of the triangles; set that surface");
   }
-  skyline::SunField::Constant(
-    std::fmod(this->SunAzimuth, 360.0), this->SunElevation, this->SunAngularRadius);
-  driver.DemandFloats("shadow heights", this->Soft ? 3 : 1,
-    { std::fmod(this->SunAzimuth, 360.0) * skyline::RadiansPerDegree });
+  const skyline::GridSun sun = OneSun(this->Sun, driver);
+  const double azimuth = std::fmod(sun.Azimuth, 360.0);
+  driver.DemandFloats(
+    "shadow heights", this->Soft ? 3 : 1, { azimuth * skyline::RadiansPerDegree });
   driver.DoubtOneMetric("shadow heights", driver.Input().CentreMetric());
-  const double elevation = this->SunElevation * skyline::RadiansPerDegree;
-  const double radius = this->SunAngularRadius * skyline::RadiansPerDegree;
+  const double elevation = sun.Elevation * skyline::RadiansPerDegree;
+  const double radius = sun.Radius * skyline::RadiansPerDegree;
   if (elevation <= 0.0)
   {
     std::ostringstream degrees;
-    degrees << this->SunElevation;
+    degrees << sun.Elevation;
     driver.AddDoubt(
       { "the sun's centre stands at " + degrees.str() + " degrees, not above the horizontal plane",
         "that all is in its shadow at any height: ShadowHeight is infinite, and nodata in a raster",
         "" });
   }
-  bool finished =
-    this->AddShadow(driver, output, "ShadowHeight", elevation, elevation > 0.0, this->BelowTerrain);
+  bool finished = this->AddShadow(
+    driver, output, "ShadowHeight", azimuth, elevation, elevation > 0.0, this->BelowTerrain);
   if (this->Soft && finished)
   {
     const bool risen = elevation + radius > 0.0;
-    finished =
-      this->AddShadow(driver, output, "ShadowHeightUpper", elevation + radius, risen, true) &&
-      this->AddShadow(driver, output, "ShadowHeightLower", elevation - radius, risen, true);
+    finished = this->AddShadow(
+                 driver, output, "ShadowHeightUpper", azimuth, elevation + radius, risen, true) &&
+      this->AddShadow(
+        driver, output, "ShadowHeightLower", azimuth, elevation - radius, risen, true);
   }
-  vtkNew<vtkDoubleArray> sun;
-  sun->SetName("ShadowSun");
-  sun->SetNumberOfComponents(3);
-  sun->InsertNextTuple3(this->SunAzimuth, this->SunElevation, this->SunAngularRadius);
-  output->GetFieldData()->AddArray(sun);
+  vtkNew<vtkDoubleArray> used;
+  used->SetName("ShadowSun");
+  used->SetNumberOfComponents(3);
+  used->InsertNextTuple3(sun.Azimuth, sun.Elevation, sun.Radius);
+  output->GetFieldData()->AddArray(used);
   return finished;
 }

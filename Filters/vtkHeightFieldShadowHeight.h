@@ -13,6 +13,8 @@
  * the second nothing of it is. These are not cut off at the ground, since the ground may lie between
  * them: the lit part of a post needs both. vtkHeightFieldShadowReceiver makes light of them, at any height.
  *
+ * All posts have one sun: with UseTime, that over the middle of the height field.
+ *
  * The sun counts above the horizontal plane alone, as in vtkHeightFieldSunShadow: with the centre, or
  * the limb, on the plane or under it, its shadow height is plus infinity, so that every height compares
  * as lower; rasters hold no infinities, there it becomes nodata. For the centre a warning says so. With
@@ -27,7 +29,7 @@
 #ifndef vtkHeightFieldShadowHeight_h
 #define vtkHeightFieldShadowHeight_h
 
-#include "vtkHeightFieldAlgorithm.h"
+#include "vtkHeightFieldSunAlgorithm.h"
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
 
 #include <memory> // For MakeMethod
@@ -38,28 +40,12 @@ class HorizonMethod;
 }
 
 VTK_ABI_NAMESPACE_BEGIN
-class SKYLINEFILTERS_EXPORT vtkHeightFieldShadowHeight : public vtkHeightFieldAlgorithm
+class SKYLINEFILTERS_EXPORT vtkHeightFieldShadowHeight : public vtkHeightFieldSunAlgorithm
 {
 public:
   static vtkHeightFieldShadowHeight* New();
-  vtkTypeMacro(vtkHeightFieldShadowHeight, vtkHeightFieldAlgorithm);
+  vtkTypeMacro(vtkHeightFieldShadowHeight, vtkHeightFieldSunAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /// The sun's azimuth, degrees clockwise from grid north (any number of turns; default 315), and
-  /// its apparent elevation, -90 to 90 degrees (default 45).
-  vtkSetMacro(SunAzimuth, double);
-  vtkGetMacro(SunAzimuth, double);
-  vtkSetMacro(SunElevation, double);
-  vtkGetMacro(SunElevation, double);
-  ///@}
-
-  ///@{
-  /// Angular radius of the disc, degrees, 0 (a point) to below 90; default 0.26645, the mean sun's.
-  /// Counts with Soft.
-  vtkSetMacro(SunAngularRadius, double);
-  vtkGetMacro(SunAngularRadius, double);
-  ///@}
 
   ///@{
   /// Add the shadow heights of the two limbs of the disc; default off.
@@ -89,9 +75,6 @@ protected:
     skyline::HorizonDriver& driver, double slope);
 #endif
 
-  double SunAzimuth = 315.0;
-  double SunElevation = 45.0;
-  double SunAngularRadius = 0.26645;
   bool Soft = false;
   bool BelowTerrain = false;
 
@@ -99,9 +82,10 @@ private:
   vtkHeightFieldShadowHeight(const vtkHeightFieldShadowHeight&) = delete;
   void operator=(const vtkHeightFieldShadowHeight&) = delete;
 
-  // The shadow heights of a light of the elevation (radians); infinite unless it has risen.
+  // The shadow heights of a light in the azimuth (degrees) of the elevation (radians); infinite unless
+  // it has risen.
   bool AddShadow(skyline::HorizonDriver& driver, vtkImageData* output, const char* name,
-    double elevation, bool risen, bool belowTerrain);
+    double azimuth, double elevation, bool risen, bool belowTerrain);
 };
 VTK_ABI_NAMESPACE_END
 

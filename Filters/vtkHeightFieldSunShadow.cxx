@@ -2,10 +2,9 @@
 #include "vtkHeightFieldSunShadow.h"
 
 #include "HorizonDriver.h"
+#include "PlacedSun.h"
 #include "PostArrays.h"
-#include "Sun/Eclipse.h"
 #include "Sun/SunAccumulator.h"
-#include "Sun/SunField.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
@@ -44,34 +43,17 @@ void TakeEclipse(const skyline::EclipseField& eclipse, const skyline::Grid& post
 void vtkHeightFieldSunShadow::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SunAzimuth: " << this->SunAzimuth << "\n"
-     << indent << "SunElevation: " << this->SunElevation << "\n"
-     << indent << "SunAngularRadius: " << this->SunAngularRadius << "\n"
-     << indent << "TrueRadius: " << this->TrueRadius << "\n"
-     << indent << "UseTime: " << this->UseTime << "\n"
-     << indent << "Time: " << this->Time << "\n"
-     << indent << "LimbDarkening: " << this->LimbDarkening << "\n"
-     << indent << "SearchedAzimuths: " << this->SearchedAzimuths << "\n";
+  os << indent << "SearchedAzimuths: " << this->SearchedAzimuths << "\n";
 }
 
 bool vtkHeightFieldSunShadow::Compute(skyline::HorizonDriver& driver, vtkImageData* output)
 {
   constexpr double radians = skyline::RadiansPerDegree;
-  const skyline::SunField sun = this->UseTime
-    ? skyline::SunField(
-        driver.Input().Place(), skyline::ParseUtcTime(this->Time), driver.Input().BaseHeight())
-    : skyline::SunField::OnImage(driver.Input().Place(), std::fmod(this->SunAzimuth, 360.0),
-        this->SunElevation, this->SunAngularRadius);
-  const skyline::EclipseField eclipse = this->UseTime
-    ? skyline::EclipseField(
-        driver.Input().Place(), skyline::ParseUtcTime(this->Time), driver.Input().BaseHeight())
-    : skyline::EclipseField();
-  const double radius = this->UseTime && this->TrueRadius ? sun.Radius() : this->SunAngularRadius;
-  if (!(radius >= 0.0 && radius < 90.0))
-  {
-    throw std::out_of_range(
-      "sun radius " + std::to_string(radius) + " is outside 0 to below 90; give degrees");
-  }
+  const skyline::SunField sun =
+    skyline::SunFieldOf(this->Sun, driver.Input().Place(), driver.Input().BaseHeight());
+  const skyline::EclipseField eclipse =
+    skyline::EclipseFieldOf(this->Sun, driver.Input().Place(), driver.Input().BaseHeight());
+  const double radius = skyline::RadiusOf(this->Sun, sun);
   double firstAzimuth = 0.0;
   double lastAzimuth = 0.0;
   double least = 0.0;
@@ -86,7 +68,7 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonDriver& driver, vtkImageDa
   vtkFloatArray* visibility = skyline::AddPostArray(output, "SunVisibility");
   const skyline::PostBuffer buffer{ visibility->GetPointer(0), 1 };
   const skyline::Grid& posts = driver.Input().Posts();
-  const double darkening = this->LimbDarkening ? skyline::EddingtonLimbDarkening : 0.0;
+  const double darkening = skyline::LimbDarkeningOf(this->Sun);
   const auto run = [&](skyline::SunAccumulator&& disc) { return driver.Run(azimuths, 0.0, disc); };
   bool finished = false;
   if (!sun.Same())
@@ -99,8 +81,8 @@ bool vtkHeightFieldSunShadow::Compute(skyline::HorizonDriver& driver, vtkImageDa
   }
   else
   {
-    const skyline::SunDisc disc{ std::fmod(this->SunAzimuth, 360.0) * radians,
-      this->SunElevation * radians, radius * radians };
+    const skyline::SunDisc disc{ std::fmod(this->GetSunAzimuth(), 360.0) * radians,
+      this->GetSunElevation() * radians, radius * radians };
     finished = run(skyline::SunAccumulator(posts.Columns, posts.Rows, disc, buffer, darkening));
   }
   if (finished)

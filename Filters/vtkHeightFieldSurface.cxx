@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldSurface.h"
 
+#include "HeightArray.h"
 #include "WholeField.h"
 
 #include "vtkCellArray.h"
@@ -18,7 +19,7 @@
 
 #include <array>
 #include <cmath>
-#include <exception>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeightFieldSurface);
@@ -197,26 +198,16 @@ int vtkHeightFieldSurface::RequestData(
   }
   vtkImageData* image = vtkImageData::GetData(input[0]);
   vtkDataArray* heights = this->GetInputArrayToProcess(0, input);
-  const int* size = image->GetDimensions();
-  if (size[2] != 1 || size[0] < 2 || size[1] < 2)
+  const std::string failure = skyline::ReasonOfFailure(image,
+    [&]
+    {
+      skyline::CheckSurface(image);
+      skyline::CheckHeights(image, heights);
+      skyline::CheckWhole(input[0]->GetInformationObject(0));
+    });
+  if (!failure.empty())
   {
-    vtkErrorMacro("no surface: " << size[0] << " x " << size[1] << " x " << size[2]
-                                 << " posts; a height field has at least 2 x 2 x 1");
-    return 0;
-  }
-  if (!heights || heights->GetNumberOfComponents() != 1 ||
-    heights->GetNumberOfTuples() != image->GetNumberOfPoints())
-  {
-    vtkErrorMacro("no heights: the image has no array of one number a post");
-    return 0;
-  }
-  try
-  {
-    skyline::CheckWhole(input[0]->GetInformationObject(0));
-  }
-  catch (const std::exception& reason)
-  {
-    vtkErrorMacro(<< reason.what());
+    vtkErrorMacro(<< failure);
     return 0;
   }
   Mesh mesh(image, heights, this->Stride, this->Exaggeration);

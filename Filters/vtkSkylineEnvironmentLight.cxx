@@ -4,7 +4,9 @@
 #include "Data/LightMapImage.h"
 #include "Shared/Constants.h"
 #include "Sky/LightTable.h"
+#include "Sky/SkyDescription.h"
 #include "Sky/SkyModel.h"
+#include "Sky/ZonalSky.h"
 
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
@@ -31,6 +33,51 @@ void vtkSkylineEnvironmentLight::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "DiffuseIrradiance: " << this->DiffuseIrradiance << "\n"
      << indent << "SunAzimuth: " << this->SunAzimuth << "\n"
      << indent << "SunElevation: " << this->SunElevation << "\n";
+}
+
+bool vtkSkylineEnvironmentLight::SetSky(const char* text)
+{
+  try
+  {
+    return this->SetSky(skyline::ParseSky(text ? text : ""));
+  }
+  catch (const std::invalid_argument& reason)
+  {
+    vtkErrorMacro(<< reason.what());
+    return false;
+  }
+}
+
+bool vtkSkylineEnvironmentLight::SetSky(const skyline::SkyDescription& sky)
+{
+  switch (sky.Kind)
+  {
+    case skyline::SkyKind::Map:
+      return false;
+    case skyline::SkyKind::Perez:
+      this->SetSourceToPerez();
+      this->SetDirectIrradiance(sky.DirectIrradiance);
+      this->SetDiffuseIrradiance(sky.DiffuseIrradiance);
+      break;
+    case skyline::SkyKind::Zonal:
+    case skyline::SkyKind::Formula:
+      this->SetSourceToCie();
+      this->SetCieType(sky.CieType);
+      break;
+    case skyline::SkyKind::Uniform:
+      this->SetSourceToUniform();
+      break;
+    case skyline::SkyKind::None:
+      this->SwitchOff();
+      break;
+  }
+  return true;
+}
+
+bool vtkSkylineEnvironmentLight::IsSameAllAround()
+{
+  return this->Source == UNIFORM ||
+    (this->Source == CIE && skyline::ZonalSky::Knows(this->CieType));
 }
 
 void vtkSkylineEnvironmentLight::SetImage(vtkImageData* image)

@@ -18,8 +18,9 @@
 
 namespace skyline
 {
+struct SkyDescription;
 struct TurnedLightMap;
-}
+} // namespace skyline
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
@@ -49,6 +50,20 @@ public:
   void SetSourceToCie() { this->SetSource(CIE); }
   void SetSourceToPerez() { this->SetSource(PEREZ); }
   ///@}
+
+  /// Sets Source, and what belongs to it, from the text of a sky: "uniform", "cie:N" (N from 1 to 16) or
+  /// "perez:DIRECT,DIFFUSE" (W/m2, as DirectIrradiance and DiffuseIrradiance). Returns false, and changes
+  /// nothing, where the text is the name of a light map's file: read that by vtkSkylineLightMapReader, for
+  /// SetImage. Any other text is an error.
+  bool SetSky(const char* text);
+#ifndef __VTK_WRAP__
+  /// The same for a sky that has been read; SkyKind::None switches the light off.
+  bool SetSky(const skyline::SkyDescription& sky);
+#endif
+
+  /// Whether it looks the same in all azimuths, so that neither Rotation nor the sun change it: a uniform
+  /// sky, and some of CIE's.
+  bool IsSameAllAround();
 
   ///@{
   /// RGB, 0 or more: radiance, or the factor on one, by Source; default 1, 1, 1.

@@ -1,9 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkylineLampLight.h"
 
+#include "Data/ImageGeoreference.h"
+#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkSkylineLampLight);
+
+void vtkSkylineLampLight::SetMapPosition(vtkImageData* heightField, double x, double y, double z)
+{
+  const skyline::Georeference place = skyline::LoadGeoreference(heightField);
+  if (heightField && place.HasGeoTransform)
+  {
+    // From the map to posts, and to the image's coordinates.
+    const auto& transform = place.GeoTransform;
+    const double column = (x - transform[0]) / transform[1] - 0.5;
+    const double down = (y - transform[3]) / transform[5] - 0.5;
+    const double row = static_cast<double>(place.Rows - 1) - down;
+    x = heightField->GetOrigin()[0] + column * heightField->GetSpacing()[0];
+    y = heightField->GetOrigin()[1] + row * heightField->GetSpacing()[1];
+  }
+  this->SetPosition(x, y, z);
+}
 
 void vtkSkylineLampLight::PrintSelf(ostream& os, vtkIndent indent)
 {

@@ -12,6 +12,8 @@
 #include "vtkSkylineLight.h"
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkImageData;
+
 class SKYLINEFILTERS_EXPORT vtkSkylineLampLight : public vtkSkylineLight
 {
 public:
@@ -25,6 +27,10 @@ public:
   vtkSetVector3Macro(Position, double);
   vtkGetVector3Macro(Position, double);
   ///@}
+
+  /// Sets Position from x and y in the coordinate system of the height field's raster (in the image's
+  /// where it has none) and z as its heights, metres.
+  void SetMapPosition(vtkImageData* heightField, double x, double y, double z);
 
   ///@{
   /// Metres, 0 (no light) or more; default 10.

@@ -2,10 +2,11 @@
 #include "vtkSkylineSunLight.h"
 
 #include "Data/ImageGeoreference.h"
-#include "HeightField/BaseHeight.h"
-#include "Sun/Eclipse.h"
-#include "Sun/SunField.h"
-#include "vtkDataArray.h"
+#include "HeightArray.h"
+#include "PlacedSun.h"
+#include "Shared/Constants.h"
+#include "Sun/SunPosition.h"
+#include "Sun/UtcTime.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -13,6 +14,30 @@
 #include <exception>
 
 vtkStandardNewMacro(vtkSkylineSunLight);
+
+std::string vtkSkylineSunLight::FindTimeError(const std::string& text)
+{
+  try
+  {
+    const skyline::SunEphemeris years(
+      skyline::ParseUtcTime(text)); // throws for years that it does not know
+    return "";
+  }
+  catch (const std::exception& reason)
+  {
+    return reason.what();
+  }
+}
+
+bool vtkSkylineSunLight::NamesZone(const std::string& text)
+{
+  return skyline::NamesZone(text);
+}
+
+double vtkSkylineSunLight::GetLargestRadius()
+{
+  return skyline::LargestSunRadius;
+}
 
 void vtkSkylineSunLight::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -25,24 +50,17 @@ void vtkSkylineSunLight::PrintSelf(ostream& os, vtkIndent indent)
      << this->Irradiance[2] << "\n"
      << indent << "UseTime: " << this->UseTime << "\n"
      << indent << "Time: " << this->Time << "\n"
+     << indent << "HoursLater: " << this->HoursLater << "\n"
      << indent << "LimbDarkening: " << this->LimbDarkening << "\n";
 }
 
 namespace
 {
 
-double MiddleHeight(vtkImageData* heightField)
+double BaseHeightOf(vtkImageData* heightField)
 {
   vtkDataArray* heights = heightField->GetPointData()->GetScalars();
-  double range[2] = { 0.0, -1.0 };
-  if (heights)
-  {
-    heights->GetFiniteRange(range, 0);
-  }
-  return range[0] <= range[1]
-    ? skyline::BaseHeight(heights->GetNumberOfTuples(), range[0], range[1],
-        [&](std::ptrdiff_t post) { return heights->GetComponent(post, 0); })
-    : 0.0;
+  return heights ? skyline::BaseHeightOf(heights) : 0.0;
 }
 
 } // namespace
@@ -61,19 +79,14 @@ bool vtkSkylineSunLight::FindDirection(vtkImageData* heightField, double directi
     vtkErrorMacro("no height field: the sun of a time needs a place");
     return false;
   }
-  const double height = MiddleHeight(heightField);
-  const int* posts = heightField->GetDimensions();
   try
   {
-    const skyline::SunField sun(
-      skyline::GeoreferenceOf(heightField), skyline::ParseUtcTime(this->Time), height);
-    const skyline::GridSun middle = sun.At(0.5 * (posts[0] - 1), 0.5 * (posts[1] - 1));
+    const skyline::Georeference place = skyline::GeoreferenceOf(heightField);
+    const skyline::SunField sun = skyline::SunFieldOf(this, place, BaseHeightOf(heightField));
+    const skyline::GridSun middle = skyline::InTheMiddle(sun, place);
     direction[0] = middle.Azimuth;
     direction[1] = middle.Elevation;
-    if (this->TrueRadius)
-    {
-      direction[2] = middle.Radius;
-    }
+    direction[2] = skyline::RadiusOf(this, sun);
     return true;
   }
   catch (const std::exception& reason)
@@ -90,14 +103,14 @@ bool vtkSkylineSunLight::FindEclipse(vtkImageData* heightField, double eclipse[2
   {
     return true;
   }
-  const int* posts = heightField->GetDimensions();
   try
   {
-    const skyline::EclipseField field(skyline::GeoreferenceOf(heightField),
-      skyline::ParseUtcTime(this->Time), MiddleHeight(heightField));
+    const skyline::Georeference place = skyline::GeoreferenceOf(heightField);
+    const skyline::EclipseField field =
+      skyline::EclipseFieldOf(this, place, BaseHeightOf(heightField));
     if (field.Any())
     {
-      const skyline::SunAndMoon middle = field.At(0.5 * (posts[0] - 1), 0.5 * (posts[1] - 1));
+      const skyline::SunAndMoon middle = skyline::InTheMiddle(field, place);
       eclipse[0] = middle.Magnitude();
       eclipse[1] = middle.Obscuration();
     }

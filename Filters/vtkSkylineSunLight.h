@@ -35,11 +35,16 @@ public:
   ///@}
 
   ///@{
-  /// Of the disc, degrees, 0 (a point) to 3; default 0.26645, the mean sun's. With UseTime and
-  /// TrueRadius it is unused. Larger lights are vtkSkylineKeyLight.
+  /// Of the disc, degrees, 0 (a point) to GetLargestRadius(); default 0.26645, the mean sun's. With
+  /// UseTime and TrueRadius it is unused. Larger lights are vtkSkylineKeyLight. (Filters of shadows alone
+  /// take radii to below 90 degrees.)
   vtkSetMacro(AngularRadius, double);
   vtkGetMacro(AngularRadius, double);
   ///@}
+
+  /// The largest angular radius of a sun that gives irradiance: 3 degrees. The parts of larger discs shine
+  /// at different angles.
+  static double GetLargestRadius();
 
   ///@{
   /// With UseTime, take the angular radius that follows from the sun's distance; default on.
@@ -65,6 +70,19 @@ public:
   /// UTC as ISO 8601, for instance 2026-06-21T06:00Z; 1900 to 2100. Default empty.
   vtkSetStdStringFromCharMacro(Time);
   vtkGetCharFromStdStringMacro(Time);
+  ///@}
+
+  ///@{
+  /// What is wrong with a text as a Time, in one line (empty: nothing), and whether a text that is one says
+  /// in which zone its clock is.
+  static std::string FindTimeError(const std::string& text);
+  static bool NamesZone(const std::string& text);
+  ///@}
+
+  ///@{
+  /// Hours after Time, also negative, at which the sun is taken: a number to animate. Default 0.
+  vtkSetMacro(HoursLater, double);
+  vtkGetMacro(HoursLater, double);
   ///@}
 
   ///@{
@@ -96,6 +114,7 @@ protected:
   double Irradiance[3] = { 1.0, 1.0, 1.0 };
   bool UseTime = false;
   std::string Time;
+  double HoursLater = 0.0;
   bool LimbDarkening = false;
 
 private:

@@ -146,7 +146,8 @@ struct vtkSkylineSoftShadowShader::Internals
 
   std::string TakeField(vtkOpenGLRenderWindow* window);
   std::string SendLight(const vtkSkylineSoftShadowShader& shader, vtkOpenGLRenderWindow* window);
-  std::string SendIrradiance(const vtkSkylineSoftShadowShader& shader, vtkOpenGLRenderWindow* window);
+  std::string SendIrradiance(
+    const vtkSkylineSoftShadowShader& shader, vtkOpenGLRenderWindow* window);
   std::string SendHarmonics(const std::string& name, vtkOpenGLRenderWindow* window);
 };
 
@@ -420,7 +421,7 @@ std::string vtkSkylineSoftShadowShader::Upload(vtkOpenGLRenderWindow* window)
     vtkDataArray* array = in.Find(this->LampArrayName, 1, static_cast<int>(Lamps));
     reason = array
       ? Sent(in.Send(in.LampLight, window, array, 0, array->GetNumberOfComponents(), false))
-      : Missing(this->LampArrayName, "1 to 4");
+      : Missing(this->Inside->Image, this->LampArrayName, "1 to 4");
   }
   return reason;
 }

@@ -24,6 +24,14 @@ inline double AzimuthOf(double east, double north)
   return turned < 360.0 ? turned : 0.0;
 }
 
+/// The same direction, 0 up to, not including, 360 degrees, for an azimuth of any number of turns.
+inline double NormalizedAzimuth(double degrees)
+{
+  const double part = std::fmod(degrees, 360.0);
+  const double turned = part < 0.0 ? part + 360.0 : part;
+  return turned < 360.0 ? turned : 0.0;
+}
+
 } // namespace skyline
 
 #endif

@@ -4,8 +4,8 @@
 #define skyline_RayFan_h
 
 #include "Geo/GroundMetric.h"
-#include "SkylineCoreModule.h" // for the export macro
 #include "Shared/Constants.h"
+#include "SkylineCoreModule.h" // for the export macro
 
 #include <cstddef>
 #include <vector>

@@ -31,6 +31,10 @@ constexpr float AngleTerms[8] = { 2.622244414e-03f, -1.513253618e-02f, 4.1121859
 /// Mean angular radius of the sun seen from the Earth, degrees: asin(695700 km / 149597870.7 km).
 constexpr double MeanSunRadius = 0.26645;
 
+/// Suns up to this angular radius, degrees, are lit as a whole and shadowed by their lit part. The parts of
+/// larger discs shine at different angles: those are key lights.
+constexpr double LargestSunRadius = 3.0;
+
 } // namespace skyline
 
 #endif

@@ -2,7 +2,6 @@
 #include "vtkPVHeightFieldIrradiance.h"
 
 #include "Data/ErrorReason.h"
-#include "LaterTime.h"
 #include "LightPasses.h"
 #include "Shared/Constants.h"
 
@@ -45,6 +44,16 @@ void vtkPVHeightFieldIrradiance::SetSunAngularRadius(double degrees)
 void vtkPVHeightFieldIrradiance::SetSunIrradiance(double red, double green, double blue)
 {
   this->SunLight->SetIrradiance(red, green, blue);
+}
+
+void vtkPVHeightFieldIrradiance::SetSunTime(const char* time)
+{
+  this->SunLight->SetTime(time);
+}
+
+void vtkPVHeightFieldIrradiance::SetHoursLater(double hours)
+{
+  this->SunLight->SetHoursLater(hours);
 }
 
 void vtkPVHeightFieldIrradiance::SetLimbDarkening(bool on)
@@ -97,14 +106,6 @@ void vtkPVHeightFieldIrradiance::PlaceSun(const skyline::HorizonDriver& driver)
 {
   this->SunLight->SetSwitch(this->Sun != NO_SUN);
   this->SunLight->SetUseTime(this->Sun == SUN_BY_TIME);
-  if (this->Sun == SUN_BY_TIME)
-  {
-    if (this->SunTime.empty())
-    {
-      throw std::invalid_argument("the sun has no time: set Sun Time, such as 2026-06-21T14:00Z");
-    }
-    this->SunLight->SetTime(skyline::LaterTime(this->SunTime, this->HoursLater).c_str());
-  }
   const skyline::SkyDisc disc = skyline::DiscOf(this->SunLight, driver);
   this->SkyLight->SetSunAzimuth(disc.Azimuth * skyline::DegreesPerRadian);
   this->SkyLight->SetSunElevation(disc.Elevation * skyline::DegreesPerRadian);
@@ -167,8 +168,6 @@ void vtkPVHeightFieldIrradiance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Sun: " << this->Sun << "\n"
-     << indent << "SunTime: " << this->SunTime << "\n"
-     << indent << "HoursLater: " << this->HoursLater << "\n"
      << indent << "Sky: " << this->Sky << "\n"
      << indent << "EnvironmentFile: " << this->EnvironmentFile << "\n"
      << indent << "Rotation: " << this->Rotation << "\n"

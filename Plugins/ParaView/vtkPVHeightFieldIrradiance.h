@@ -16,7 +16,7 @@
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"        // For Lamps
 
-#include <string> // For Time
+#include <string> // For EnvironmentFile
 #include <vector> // For Lamps
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -66,10 +66,8 @@ public:
   ///@{
   /// A time in ISO 8601, UTC unless a zone is given, such as 2026-06-21T14:00Z (default: empty),
   /// and hours after that time (default: 0).
-  vtkSetMacro(SunTime, std::string);
-  vtkGetMacro(SunTime, std::string);
-  vtkSetMacro(HoursLater, double);
-  vtkGetMacro(HoursLater, double);
+  void SetSunTime(const char* time);
+  void SetHoursLater(double hours);
   ///@}
 
   ///@{
@@ -114,8 +112,6 @@ protected:
   bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
   int Sun = SUN_BY_DIRECTION;
-  std::string SunTime;
-  double HoursLater = 0.0;
   int Sky = UNIFORM_SKY;
   std::string EnvironmentFile;
   double Rotation = 0.0;

@@ -7,19 +7,12 @@ import datetime
 import math
 import operator
 import os
-import re
 from typing import Any, Sequence
 
 import numpy as np
 
 from . import _warnings
-
-# What skyline::ParseUtcTime reads: ISO 8601's extended form, and what Python and pandas print.
-_MOMENT = re.compile(
-    r"(?P<date>\d{4}-\d{2}-\d{2})"
-    r"([T ](?P<clock>\d{2}:\d{2})(:(?P<second>\d{2})([.,]\d+)?)?"
-    r"(?P<zone> ?(Z|UTC|[+-]([01]\d|2[0-3])(:?[0-5]\d)?))?)?", re.ASCII)
-
+from .SkylineFilters import vtkSkylineSunLight
 
 def short(value: Any) -> str:
     """The value in one line of a message."""
@@ -135,21 +128,12 @@ def moment(value: Any) -> str:
 
 def _moment_text(text: str) -> str:
     """Text that the classes read; a ValueError for other text, a warning where no zone is named."""
-    parts = _MOMENT.fullmatch(text)
-    try:
-        if parts is None:
-            raise ValueError
-        second = parts["second"] or "00"  # 60, a leap second, is checked by the class that knows them
-        datetime.datetime.fromisoformat(
-            f"{parts['date']}T{parts['clock'] or '00:00'}:{'59' if second == '60' else second}")
-    except ValueError:
+    if vtkSkylineSunLight.FindTimeError(text):
         raise ValueError(
-            f"time is {short(text)}, which is not a time; give one such as '2026-06-21T06:00Z'"
-        ) from None
-    if not 1900 <= int(parts["date"][:4]) <= 2100:
-        raise ValueError(f"time is {short(text)}; give a time from 1900 to 2100")
-    if parts["zone"]:
+            f"time is {short(text)}, which is not a time from 1900 to 2100; give one such as "
+            "'2026-06-21T06:00Z'")
+    if vtkSkylineSunLight.NamesZone(text):
         return text
-    in_utc = text + ("Z" if parts["clock"] else "T00:00Z")
+    in_utc = text + ("Z" if ":" in text else "T00:00Z")
     _warnings.doubt(f"the time {text} has no zone", "UTC", f"time='{in_utc}'")
     return in_utc

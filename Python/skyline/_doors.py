@@ -267,15 +267,7 @@ def sun_visibility(
     """
     terrain = _terrain(z, spacing, **options)
     filter_ = vtkHeightFieldSunShadow()
-    if (sun is None) == (time is None):
-        raise TypeError("give sun=(azimuth, elevation), or time, and not both")
-    if time is not None:
-        filter_.UseTimeOn()
-        filter_.SetTime(_check.moment(time))
-    else:
-        azimuth, elevation = _check.direction("sun", sun)
-        filter_.SetSunAzimuth(azimuth)
-        filter_.SetSunElevation(elevation)
+    _lights.place_sun(filter_.GetSun(), sun, time)
     if radius is not None:
         filter_.SetTrueRadius(False)
         filter_.SetSunAngularRadius(_lights.check_radius(radius))
@@ -289,16 +281,22 @@ def sun_visibility(
 def shadow_height(z: Heights, spacing: Spacing | None = None, *, sun: Sun,
                   below_terrain: bool = False, **options: Unpack[Options]) -> Floats: ...
 @overload
+def shadow_height(z: Heights, spacing: Spacing | None = None, *, time: Any,
+                  below_terrain: bool = False, **options: Unpack[Options]) -> Floats: ...
+@overload
 def shadow_height(z: vtkImageData, spacing: None = None, *, sun: Sun,
                   below_terrain: bool = False, **options: Unpack[Options]) -> vtkImageData: ...
+@overload
+def shadow_height(z: vtkImageData, spacing: None = None, *, time: Any,
+                  below_terrain: bool = False, **options: Unpack[Options]) -> vtkImageData: ...
 def shadow_height(
-    z: Any, spacing: Any = None, *, sun: Any, below_terrain: bool = False,
+    z: Any, spacing: Any = None, *, sun: Any = None, time: Any = None, below_terrain: bool = False,
     **options: Unpack[Options],
 ) -> Any:
     """How high the terrain's shadow stands over every post; z's row 0 is its NORTH edge (else row0).
 
     z, spacing, options   as in horizon
-    sun            (azimuth, elevation), degrees, as in sun_visibility
+    sun, time      as in sun_visibility; at a time, all posts have the sun over the middle
     below_terrain  tell also how far below the ground the shadow passes where the post is lit; else
                    there it is the post's own height
 
@@ -315,10 +313,8 @@ def shadow_height(
         raise ValueError("method is 'pyramid', which has no shadow heights; give 'exact' or 'sweep'")
     if terrain.surface != 0:
         raise ValueError("surface is 'bilinear', which has no shadow heights; leave it out")
-    azimuth, elevation = _check.direction("sun", sun)
     filter_ = vtkHeightFieldShadowHeight()
-    filter_.SetSunAzimuth(azimuth)
-    filter_.SetSunElevation(elevation)
+    _lights.place_sun(filter_.GetSun(), sun, time)
     filter_.SetBelowTerrain(_check.flag("below_terrain", below_terrain))
     return terrain.result(filter_, "ShadowHeight")
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import math
 import os
-import re
 from typing import Any, Iterable
 
 import numpy as np
@@ -13,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from . import _check, _warnings
 from ._images import _numeric, _to_vtk
-from ._run import reported, run
+from ._run import Error, reported, run
 from .SkylineFilters import (
     vtkSkylineEnvironmentLight,
     vtkSkylineKeyLight,
@@ -23,11 +22,6 @@ from .SkylineFilters import (
 )
 from .SkylineIO import vtkSkylineLightMapReader
 
-_ZONAL = (1, 3, 5, 16)  # the CIE skies that are the same all around
-_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)  # no "inf", "1_000" or " 1"
-
-MEAN_SUN_RADIUS = 0.26645  # degrees, as in vtkHeightFieldSunShadow
-LARGEST_SUN = 3.0  # degrees: greater discs are key lights
 _SKIES = "'uniform', 'cie:1' to 'cie:16', 'perez:DIRECT,DIFFUSE' in W/m2, a file's name or a light map"
 
 
@@ -36,49 +30,36 @@ def environment_light(environment: Any, rotation: Any, sun: Any) -> vtkSkylineEn
     light = vtkSkylineEnvironmentLight()
     light.SetRotation(math.fmod(_check.number("rotation", rotation, "degrees"), 360.0))
     if isinstance(environment, (str, os.PathLike)):
-        name = _check.file_name("environment", environment)
-        kind, _, rest = name.partition(":")
-        if kind in ("cie", "perez"):
-            _set_sky(light, name, kind, rest, sun)
-        elif name != "uniform":
-            reader = vtkSkylineLightMapReader()
-            reader.SetFileName(name)
-            run(reader)
-            light.SetImage(reader.GetOutput())
+        _set_sky(light, _check.file_name("environment", environment), sun)
     elif isinstance(environment, vtkImageData):
         light.SetImage(environment)
     else:
         light.SetImage(_light_map(environment))
-    same = light.GetSource() == light.UNIFORM or (
-        light.GetSource() == light.CIE and light.GetCieType() in _ZONAL)
-    if rotation != 0.0 and same:
+    if rotation != 0.0 and light.IsSameAllAround():
         raise ValueError(
             f"rotation is {rotation:g}, but this sky is the same all around; leave it out, or give a light map")
     return light
 
 
-def _set_sky(
-    light: vtkSkylineEnvironmentLight, name: str, kind: str, rest: str, sun: Any
-) -> None:
-    parts = rest.split(",")
-    given = [float(part) for part in parts] if all(map(_NUMBER.fullmatch, parts)) else []
-    given = given if all(map(math.isfinite, given)) else []
-    if kind == "cie" and len(given) == 1 and given[0] in range(1, 17):
-        light.SetSourceToCie()
-        light.SetCieType(int(given[0]))
-    elif kind == "perez" and len(given) == 2 and given[0] >= 0.0 and given[1] > 0.0:
-        light.SetSourceToPerez()
-        light.SetDirectIrradiance(given[0])
-        light.SetDiffuseIrradiance(given[1])
-        if sun is None:
-            raise ValueError(
-                f"environment is {name!r}, a sky of the sun; give sun=(azimuth, elevation) or time")
-    else:
-        raise ValueError(f"environment is {name!r}; give {_SKIES}")
-    if sun is not None:
+def _set_sky(light: vtkSkylineEnvironmentLight, name: str, sun: Any) -> None:
+    """The sky of a name, or the light map of a file."""
+    try:
+        with reported(light):
+            by_formula = light.SetSky(name)
+    except Error:
+        raise ValueError(f"environment is {name!r}; give {_SKIES}") from None
+    if not by_formula:
+        reader = vtkSkylineLightMapReader()
+        reader.SetFileName(name)
+        run(reader)
+        light.SetImage(reader.GetOutput())
+    elif sun is not None:
         light.SetSunAzimuth(sun[0])
         light.SetSunElevation(sun[1])
-    elif kind == "cie" and light.GetCieType() not in _ZONAL:
+    elif light.GetSource() == light.PEREZ:
+        raise ValueError(
+            f"environment is {name!r}, a sky of the sun; give sun=(azimuth, elevation) or time")
+    elif not light.IsSameAllAround():
         _warnings.doubt(
             f"the sky {name} is brighter about the sun, and no sun is given",
             "its sun at azimuth 315, elevation 45", "sun=(azimuth, elevation)")
@@ -105,15 +86,28 @@ def _light_map(pixels: Any) -> vtkImageData:
     return image
 
 
+def place_sun(light: vtkSkylineSunLight, sun: Any, time: Any) -> None:
+    """The place of a sun: `sun`, which is (azimuth, elevation), or `time`."""
+    if (sun is None) == (time is None):
+        raise TypeError("give sun=(azimuth, elevation), or time, and not both")
+    if time is not None:
+        light.UseTimeOn()
+        light.SetTime(_check.moment(time))
+    else:
+        azimuth, elevation = _check.direction("sun", sun)
+        light.SetAzimuth(azimuth)
+        light.SetElevation(elevation)
+
+
 def sun_light(direction: list[float], irradiance: Any, radius: Any) -> vtkSkylineLight:
     """The sun of a direction; a wide disc is a key light of the same irradiance."""
     rgb = _check.color("sun_irradiance", irradiance)
-    width = check_radius(MEAN_SUN_RADIUS if radius is None else radius)
-    if width > LARGEST_SUN:
+    light: Any = vtkSkylineSunLight()
+    width = check_radius(light.GetAngularRadius() if radius is None else radius)
+    if width > light.GetLargestRadius():
         light = vtkSkylineKeyLight()
         light.SetRadiance(*(part / (math.pi * math.sin(math.radians(width)) ** 2) for part in rgb))
     else:
-        light = vtkSkylineSunLight()
         light.SetIrradiance(*rgb)
     light.SetAzimuth(direction[0])
     light.SetElevation(direction[1])
@@ -124,13 +118,13 @@ def sun_light(direction: list[float], irradiance: Any, radius: Any) -> vtkSkylin
 def sun_of_time(time: Any, irradiance: Any, radius: Any) -> vtkSkylineSunLight:
     """The sun of a moment over each post."""
     light = vtkSkylineSunLight()
-    light.UseTimeOn()
-    light.SetTime(_check.moment(time))
+    place_sun(light, None, time)
     light.SetIrradiance(*_check.color("sun_irradiance", irradiance))
     if radius is not None:
+        largest = light.GetLargestRadius()
         light.SetTrueRadius(False)
         light.SetAngularRadius(_check.number(
-            "radius", radius, "0 to 3 degrees with time", lambda r: 0.0 <= r <= LARGEST_SUN))
+            "radius", radius, f"0 to {largest:g} degrees with time", lambda r: 0.0 <= r <= largest))
     return light
 
 
@@ -150,24 +144,11 @@ def lamp_lights(lamps: Any, terrain: vtkImageData) -> Iterable[vtkSkylineLampLig
         given = _check.numbers(name, parts, count, wanted)
         _check.number(name + "[3]", given[3], "a radius above 0", lambda r: r > 0.0)
         light = vtkSkylineLampLight()
-        light.SetPosition(*_in_image(given[0], given[1], terrain), given[2])
+        light.SetMapPosition(terrain, *given[:3])
         light.SetRadius(given[3])
         if count == 7:
             light.SetRadiance(*_check.color(name + "[4:]", given[4:]))
         yield light
-
-
-def _in_image(x: float, y: float, terrain: vtkImageData) -> tuple[float, float]:
-    """Coordinates of the CRS as those of the image; without a CRS they are the same."""
-    array = terrain.GetFieldData().GetArray("GeoTransform")
-    if array is None:
-        return x, y
-    x0, dx, _, y0, _, dy = array.GetTuple(0)
-    rows = terrain.GetDimensions()[1]
-    column = (x - x0) / dx - 0.5
-    row = rows - 1 - ((y - y0) / dy - 0.5)
-    origin, spacing = terrain.GetOrigin(), terrain.GetSpacing()
-    return origin[0] + column * spacing[0], origin[1] + row * spacing[1]
 
 
 class SunPosition(tuple[float, float, float]):
@@ -196,8 +177,7 @@ class SunPosition(tuple[float, float, float]):
 
 def find_direction(terrain: vtkImageData, time: str) -> SunPosition:
     light = vtkSkylineSunLight()
-    light.UseTimeOn()
-    light.SetTime(time)
+    place_sun(light, None, time)
     found, eclipse = [0.0, 0.0, 0.0], [0.0, 0.0]
     with reported(light):
         light.FindDirection(terrain, found)

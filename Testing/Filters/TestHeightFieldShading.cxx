@@ -144,6 +144,35 @@ TEST_F(Shading, VisibilitiesScaleTheirLights)
     RadianceTolerance);
 }
 
+// Of arrays with several components the first counts, whatever the type of the numbers.
+TEST_F(Shading, VisibilitiesMayBeOfAnyType)
+{
+  const auto flat = Field(3, 3, 1.0, 1.0, [](double, double) { return 5.0; });
+  vtkNew<vtkShortArray> visibility;
+  visibility->SetName("SunVisibility");
+  visibility->SetNumberOfTuples(9);
+  visibility->FillComponent(0, 1.0);
+  vtkNew<vtkDoubleArray> sky;
+  sky->SetName("SkyViewFactor");
+  sky->SetNumberOfComponents(3);
+  sky->SetNumberOfTuples(9);
+  for (int c = 0; c < 3; ++c)
+  {
+    sky->FillComponent(c, 0.5 + c);
+  }
+  flat->GetPointData()->AddArray(visibility);
+  flat->GetPointData()->AddArray(sky);
+  this->Filter->SetInputData(flat);
+  this->Filter->SetSunElevation(90.0);
+  this->Filter->Update();
+  const skyline::Rgb albedo = skyline::ColorAt(*skyline::FindColorMap("gray"), 0.5);
+  for (vtkIdType post = 0; post < 9; ++post)
+  {
+    EXPECT_NEAR(Radiance(this->Filter)->GetComponent(post, 0), albedo[0] * (3.0 / Pi + 0.5 * 0.1),
+      RadianceTolerance);
+  }
+}
+
 TEST_F(Shading, SunBehindTheSlopeGivesNoLight)
 {
   this->Filter->SetInputData(Field(3, 3, 1.0, 1.0, [](double x, double) { return 2.0 * x; }));

@@ -4,6 +4,7 @@
 // field.
 #include "Failure.h"
 #include "FuzzTesting.h"
+#include "LightOptions.h"
 #include "Lights.h"
 
 #include "vtkDoubleArray.h"
@@ -58,15 +59,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     arguments.insert(arguments.begin(), name == "--limb-darkening" ? name : name + "=" + value);
   }
 
-  skyline::LightOptions options;
+  skyline::LightDescription asked;
   CLI::App command;
-  options.AddTo(command);
+  skyline::AddLightOptions(command, asked);
   try
   {
     command.parse(arguments);
     skyline::Talk talk;
     talk.Quiet = true;
-    const auto lights = skyline::MakeLights(options, terrain, talk);
+    const auto lights = skyline::MakeLights(asked, terrain, talk);
     vtkNew<vtkHeightFieldIrradiance> irradiance;
     irradiance->SetInputData(terrain);
     irradiance->SetNumberOfAzimuths(4);

@@ -65,6 +65,10 @@ def test_sun_shadow():
     SERIAL["SunShadow"] = points(shadow, "SunVisibility")
     expect_close(SERIAL["SunShadow"], program("sun", "--time", TIME)[:, 0], SAME_CODE,
         "sun by time")
+    height = filters["ShadowHeight"](Input=dem, UseTime=1, Time="2026-06-21T12:00Z", HoursLater=2.0)
+    later = filters["ShadowHeight"](Input=dem, UseTime=1, Time=TIME)
+    expect_close(points(height, "ShadowHeight"), points(later, "ShadowHeight"), 1e-3,
+        "shadow height by time")
     lit = np.nanmean(SERIAL["SunShadow"])
     expect(0.5 < lit < 1.0, f"a morning sun lights {lit} of the posts")
 

@@ -86,6 +86,7 @@ class BadInput(unittest.TestCase):
         sun = skyline.sun_visibility
         self.refused(TypeError, "give sun=", sun, Z, 10.0)
         self.refused(TypeError, "not both", sun, Z, 10.0, (1, 2), time="2026-06-21")
+        self.refused(TypeError, "give sun=", skyline.shadow_height, Z, 10.0)
         for direction in [(1.0, 91.0), (NAN, 1.0), (1.0, INF), (1.0,), (1.0, 2.0, 3.0)]:
             self.refused(ValueError, "sun.*degrees", sun, Z, 10.0, direction)
         self.refused(TypeError, "sun is 5", sun, Z, 10.0, 5)
@@ -160,6 +161,7 @@ class BadInput(unittest.TestCase):
         for sky in ["cie:17", "cie:x", "perez:100", "perez:-1,5", "perez:1,0"]:
             self.refused(ValueError, "environment is .*'cie:1'", light, Z, 10.0, sky)
         self.refused(skyline.Error, "nosuch.hdr", light, Z, 10.0, "nosuch.hdr")
+        self.refused(ValueError, "environment is 'unifrom'; give 'uniform'", light, Z, 10.0, "unifrom")
         for shape in [(4, 4, 3), (4, 8), (4, 8, 4), (0, 0, 3)]:
             self.refused(ValueError, "environment has the shape", light, Z, 10.0, np.zeros(shape))
         for radiance in [NAN, INF, -1.0]:

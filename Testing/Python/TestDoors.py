@@ -328,6 +328,12 @@ class Place(unittest.TestCase):
         expected = 700.0 * math.sin(math.radians(sun[1])) + 120.0
         self.assertTrue(np.allclose(light, expected, rtol=5e-3), light[0, 0])
 
+    def test_shadow_heights_by_time(self):
+        by_time = skyline.shadow_height(self.dem, time=self.time)
+        sun = skyline.sun_position(self.image, self.time)
+        self.assertTrue(np.array_equal(
+            by_time, skyline.shadow_height(self.dem, sun=sun[:2]), equal_nan=True))
+
     def test_lamp_in_coordinates_of_the_map(self):
         x0, dx, _, y0, _, dy = self.transform
         lamp = (x0 + 10.5 * dx, y0 + 4.5 * dy, 3000.0, 5.0)  # above row 4, column 10

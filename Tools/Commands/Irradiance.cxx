@@ -3,8 +3,10 @@
 
 #include "Files.h"
 #include "IdleOptions.h"
+#include "LightOptions.h"
 #include "Lights.h"
 #include "Options.h"
+#include "Shared/Constants.h"
 #include "Values.h"
 
 #include "vtkHeightFieldIrradiance.h"
@@ -28,7 +30,7 @@ struct IrradianceCommand
   skyline::TerrainOptions Terrain;
   skyline::OutputOptions Output;
   skyline::HorizonOptions Horizon;
-  skyline::LightOptions Lights;
+  skyline::LightDescription Lights;
   std::string Method = "table";
   std::string Quadrature = "constant";
   int Bands = 4;
@@ -40,9 +42,7 @@ struct IrradianceCommand
   skyline::SkyKind Kind() const
   {
     const bool others = this->Lights.Sun.Asked() || !this->Lights.Lamps.empty();
-    return this->Lights.Environment.empty() && others
-      ? skyline::SkyKind::None
-      : skyline::KindOfSky(this->Lights.Environment);
+    return !this->Lights.Sky && others ? skyline::SkyKind::None : this->Lights.KindOfSky();
   }
 
   void Check(const skyline::IdleOptions& options) const
@@ -52,7 +52,7 @@ struct IrradianceCommand
     const bool sun = this->Lights.Sun.Asked();
     const bool harmonics = this->Method == "sh";
     this->Horizon.RefuseIdle(options);
-    this->Lights.RefuseIdle(options, kind, sun, true);
+    skyline::RefuseIdleLights(this->Lights, options, kind, sun, true);
     options.Refuse(harmonics, { "--quadrature", "--no-refinement" },
       "only the method table has it; leave it out, or add --method table");
     options.Refuse(harmonics, { "--limb-darkening" },
@@ -66,7 +66,7 @@ struct IrradianceCommand
       "the method sh does not compute lamps; leave it out, or give a sky or a sun");
     options.Warn(
       lampsAlone, { "--horizon", "--tolerance" }, "lamps alone need no horizons", this->Talk);
-    const bool drawn = sun && this->Lights.Sun.Radius.value_or(0.0) > skyline::LargestSun;
+    const bool drawn = sun && this->Lights.Sun.Radius.value_or(0.0) > skyline::LargestSunRadius;
     options.Warn(lampsAlone || (!harmonics && kind == SkyKind::None && !drawn),
       { "--azimuths", "--quadrature", "--no-refinement" },
       "only a sky is spread over azimuths, a sun or a lamp has its own", this->Talk);
@@ -78,16 +78,17 @@ struct IrradianceCommand
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    skyline::CheckRasterOutput(this->Output.File, { this->Terrain.File, this->Lights.Environment });
-    this->Lights.Sun.WarnOfZone(this->Talk);
+    skyline::CheckRasterOutput(
+      this->Output.File, { this->Terrain.File, this->Lights.Sky ? this->Lights.Sky->Text : "" });
+    skyline::WarnOfZone(this->Lights.Sun, this->Talk);
     if (this->Kind() == skyline::SkyKind::Formula && !this->Lights.Sun.Asked())
     {
-      skyline::PrintWarning(skyline::Doubt{ "the sky " + this->Lights.Environment +
+      skyline::PrintWarning(skyline::Doubt{ "the sky " + this->Lights.Sky->Text +
                                 " is brighter about the sun, and no sun is given",
                               "its sun at azimuth 315, elevation 45", "--sun AZ,EL" },
         this->Talk);
     }
-    this->Lights.WarnOfTurnedSky(this->Kind(), this->Talk);
+    skyline::WarnOfTurnedSky(this->Lights, this->Kind(), this->Talk);
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
     this->Horizon.WarnIdle(terrain, this->Talk);
     vtkNew<vtkHeightFieldIrradiance> light;
@@ -131,7 +132,7 @@ void AddIrradiance(CLI::App& program)
     "sky of radiance 1 shines,\nwhich gives open level ground pi.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write");
-  command->Lights.AddTo(*app);
+  skyline::AddLightOptions(*app, command->Lights);
   app
     ->add_option("--method", command->Method,
       "table: light integrated exactly above the horizon of each azimuth;\n"

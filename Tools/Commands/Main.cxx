@@ -5,6 +5,7 @@
 #include "Interrupt.h"
 #include "IoFailure.h"
 #include "Passes.h"
+#include "Shared/NearName.h"
 #include "Values.h"
 
 #include <CLI/CLI.hpp>

@@ -5,33 +5,28 @@
 #include "Failure.h"
 #include "Files.h"
 #include "IdleOptions.h"
+#include "LightOptions.h"
 #include "Lights.h"
 #include "LookOptions.h"
 #include "Options.h"
 #include "Perspective.h"
-#include "SkyNames.h"
+#include "PicturePasses.h"
 #include "SunLight.h"
 #include "Values.h"
 
-#include "vtkDataArray.h"
+#include "vtkHeightFieldAlgorithm.h"
 #include "vtkHeightFieldIrradiance.h"
 #include "vtkHeightFieldShading.h"
-#include "vtkHeightFieldSkyLight.h"
-#include "vtkHeightFieldSkyView.h"
 #include "vtkHeightFieldSunShadow.h"
 #include "vtkImageData.h"
-#include "vtkImageShiftScale.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkSkylineEnvironmentLight.h"
 #include "vtkSkylineSunLight.h"
 #include "vtkTrivialProducer.h"
 
-#include <algorithm>
-#include <array>
 #include <memory>
+#include <optional>
 #include <string>
-#include <vector>
 
 namespace
 {
@@ -41,67 +36,32 @@ struct ShadeCommand
   skyline::TerrainOptions Terrain;
   skyline::OutputOptions Output;
   skyline::HorizonOptions Horizon;
-  skyline::SunOptions Sun;
-  skyline::LightOptions Lights; // but for environment and sun
+  skyline::LightDescription Lights;
   skyline::Talk Talk;
   skyline::LookOptions Look;
   std::string View = "map";
   skyline::PerspectiveOptions Perspective;
 
-  // The heights times the exaggeration, which light and shadow then see.
-  vtkSmartPointer<vtkImageData> Exaggerate(vtkImageData* terrain) const
+  void RunPass(vtkAlgorithm* filter, const std::string& title) const
   {
-    if (this->Look.Exaggeration == 1.0)
-    {
-      return terrain;
-    }
-    vtkNew<vtkImageShiftScale> scale;
-    scale->SetInputData(terrain);
-    scale->SetScale(this->Look.Exaggeration);
-    scale->SetOutputScalarTypeToDouble();
-    skyline::RunPass(scale, "exaggeration", this->Talk);
-    scale->GetOutput()->GetPointData()->GetScalars()->SetName("Elevation");
-    return scale->GetOutput();
+    skyline::RunPass(filter, title, this->Talk);
   }
 
-  vtkSmartPointer<vtkImageData> CastShadows(
-    vtkImageData* terrain, const skyline::SunLight& sun) const
+  vtkSmartPointer<vtkImageData> CastShadows(vtkImageData* terrain, vtkSkylineSunLight* sun) const
   {
-    vtkNew<vtkHeightFieldSunShadow> shadow;
-    shadow->SetInputData(terrain);
-    this->Horizon.Apply(shadow.Get());
-    skyline::ApplySun(this->Sun, sun, shadow);
-    skyline::RunPass(shadow, "sun", this->Talk);
+    const auto shadow = skyline::MakeShadowPass(terrain, this->Horizon);
+    shadow->SetSun(sun);
+    this->RunPass(shadow, "sun");
     return shadow->GetOutput();
   }
 
   // The name of the array that says how much light of the sky there is, and the image with it.
   const char* ViewSky(vtkSmartPointer<vtkImageData>& terrain) const
   {
-    int type = 0;
-    if (skyline::CieType(this->Look.Environment, type))
-    {
-      vtkNew<vtkHeightFieldSkyLight> light;
-      light->SetCieType(type);
-      this->RunSky(light.Get(), terrain);
-      return "SkyLight";
-    }
-    vtkNew<vtkHeightFieldSkyView> view;
-    view->SetSkyViewFactorHorizontal(false);
-    view->SetVisibleSkyFraction(false);
-    view->SetPositiveOpenness(false);
-    this->RunSky(view.Get(), terrain);
-    return "SkyViewFactor";
-  }
-
-  template <typename Filter>
-  void RunSky(Filter* filter, vtkSmartPointer<vtkImageData>& terrain) const
-  {
-    filter->SetInputData(terrain);
-    filter->SetNumberOfAzimuths(this->Horizon.Azimuths);
-    this->Horizon.Apply(filter);
-    skyline::RunPass(filter, "sky view", this->Talk);
-    terrain = filter->GetOutput();
+    const skyline::SkyPass sky = skyline::MakeSkyPass(*this->Lights.Sky, terrain, this->Horizon);
+    this->RunPass(sky.Filter, "sky view");
+    terrain = sky.Filter->GetOutput();
+    return sky.Array;
   }
 
   void SetExposure(vtkHeightFieldShading* shading) const
@@ -130,40 +90,36 @@ struct ShadeCommand
       "an .exr holds light before exposure; leave it out, or name the output .png or .tif");
     const SkyKind kind = this->Kind();
     this->Horizon.RefuseIdle(options);
-    skyline::LightOptions lights = this->Lights;
-    lights.Sun = this->Sun;
-    lights.RefuseIdle(options, kind, kind != SkyKind::Map || this->Sun.Asked(), this->Measured());
+    skyline::RefuseIdleLights(this->Lights, options, kind,
+      kind != SkyKind::Map || this->Lights.Sun.Asked(), this->Measured());
     options.Refuse(kind == SkyKind::None, { "--azimuths" },
       "a black sky needs none; leave it out, or give another --environment");
   }
 
-  skyline::SkyKind Kind() const { return skyline::KindOfSky(this->Look.Environment); }
+  skyline::SkyKind Kind() const { return this->Lights.KindOfSky(); }
 
   // A light map or a measured sky shines as bright as it is, with a sun only if one is asked for.
-  bool Measured() const { return skyline::IsMeasured(this->Kind()); }
-
-  // A sky by formula that depends on the sun.
-  bool Formula() const { return this->Kind() == skyline::SkyKind::Formula; }
+  bool Measured() const { return this->Lights.Sky->Measured(); }
 
   // Adds the array Irradiance of what sun and sky arrays do not hold: light maps, skies that are
   // not the same all around (with the sky's colour), lamps. False if there is none.
   bool AddFurtherLight(vtkSmartPointer<vtkImageData>& terrain, const skyline::Rgb& sky) const
   {
-    skyline::LightOptions wanted = this->Lights;
-    wanted.Environment = this->Measured() || this->Formula() ? this->Look.Environment : "";
-    if (wanted.Environment.empty() && wanted.Lamps.empty())
+    skyline::LightDescription wanted = this->Lights;
+    if (!skyline::HasEnvironment(this->Kind()))
     {
-      return false;
+      wanted.Sky = std::nullopt;
+      wanted.Sun = skyline::SunDescription();
+      if (wanted.Lamps.empty())
+      {
+        return false;
+      }
     }
-    wanted.Sun = wanted.Environment.empty() ? skyline::SunOptions() : this->Sun;
-    vtkNew<vtkHeightFieldIrradiance> filter;
-    filter->SetInputData(terrain);
-    filter->SetNumberOfAzimuths(this->Horizon.Azimuths);
-    this->Horizon.Apply(filter.Get());
+    const auto filter = skyline::MakeIrradiancePass(terrain, this->Horizon);
     for (const auto& light : skyline::MakeLights(wanted, terrain, this->Talk))
     {
       auto* environment = vtkSkylineEnvironmentLight::SafeDownCast(light);
-      if (this->Formula() && environment)
+      if (this->Kind() == skyline::SkyKind::Formula && environment)
       {
         environment->SetRadiance(sky[0], sky[1], sky[2]);
       }
@@ -172,82 +128,74 @@ struct ShadeCommand
         filter->AddLight(light);
       }
     }
-    skyline::RunPass(filter, "irradiance", this->Talk);
+    this->RunPass(filter, "irradiance");
     terrain = filter->GetOutput();
     return true;
   }
 
-  // The sun's own light in place of the day's; none for a sun that is down, however strong.
-  void ReplaceSun(const std::array<double, 3>& irradiance, skyline::Daylight& light) const
+  // Sun and sky that the shading itself lights with, as strong as the day has them or the user asks.
+  skyline::Daylight ChooseDaylight(const skyline::Center& center, double elevation) const
   {
-    if (skyline::Luminance(light.SunIrradiance) > 0.0f)
+    if (this->Measured())
     {
-      std::transform(irradiance.begin(), irradiance.end(), light.SunIrradiance.begin(),
-        [](double part) { return static_cast<float>(part); });
-      return;
+      return {};
     }
-    skyline::PrintWarning(
-      skyline::Doubt{
-        "--sun-irradiance is given, and the sun is below the horizon", "no light of the sun", "" },
-      this->Talk);
+    const bool air = !center.Place.OnBody() || center.Place.Earth;
+    skyline::Daylight day = skyline::ClearDaylight(elevation, air);
+    if (this->Lights.Sun.Irradiance && !skyline::SunShines(day))
+    {
+      skyline::PrintWarning(
+        skyline::Doubt{ "--sun-irradiance is given, and the sun is below the horizon",
+          "no light of the sun", "" },
+        this->Talk);
+    }
+    skyline::ReplaceSun(this->Lights.Sun.Irradiance, day);
+    return day;
   }
 
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
     const skyline::PictureFormat format = skyline::FormatOf(this->Output.File);
-    this->Sun.WarnOfZone(this->Talk);
-    skyline::LightOptions lights = this->Lights;
-    lights.Environment = this->Look.Environment;
-    lights.WarnOfTurnedSky(this->Kind(), this->Talk);
-    skyline::CheckOutput(this->Output.File, { this->Terrain.File, this->Look.Environment });
+    skyline::WarnOfZone(this->Lights.Sun, this->Talk);
+    skyline::WarnOfTurnedSky(this->Lights, this->Kind(), this->Talk);
+    skyline::CheckOutput(this->Output.File, { this->Terrain.File, this->Lights.Sky->Text });
 
-    const auto terrain =
-      this->Exaggerate(skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File));
+    const auto terrain = skyline::Exaggerate(
+      skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File), this->Look.Exaggeration,
+      [this](vtkAlgorithm* filter, const std::string& title) { this->RunPass(filter, title); });
     this->Horizon.WarnIdle(terrain, this->Talk);
     const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
-    const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
+    const skyline::SunLight sun = skyline::FindSun(this->Lights.Sun, center.Place, center.Height);
+    vtkNew<vtkSkylineSunLight> shared; // by shadows and shading
+    skyline::ApplySun(this->Lights.Sun, sun, shared);
 
-    const bool air = !center.Place.OnBody() || center.Place.Earth;
-    skyline::Daylight light = skyline::ClearDaylight(sun.ApparentElevation, air);
+    skyline::Daylight light = this->ChooseDaylight(center, sun.ApparentElevation);
     vtkSmartPointer<vtkImageData> lit = terrain;
-    if (this->Measured())
+    if (skyline::SunShines(light))
     {
-      light = skyline::Daylight{};
-    }
-    else if (const auto asked = skyline::AskedSunIrradiance(this->Lights))
-    {
-      this->ReplaceSun(*asked, light);
-    }
-    if (skyline::Luminance(light.SunIrradiance) > 0.0f)
-    {
-      lit = this->CastShadows(lit, sun);
+      lit = this->CastShadows(lit, shared);
     }
     vtkNew<vtkHeightFieldShading> shading;
+    shading->SetSun(shared);
     if (this->AddFurtherLight(lit, light.SkyRadiance))
     {
       shading->SetIrradianceArrayName("Irradiance");
     }
-    if (this->Look.Environment == "none" || this->Measured() || this->Formula())
-    {
-      light.SkyRadiance = skyline::Rgb{};
-    }
-    else
+    if (skyline::HasSkyPass(this->Kind()))
     {
       shading->SetSkyArrayName(this->ViewSky(lit));
     }
+    else
+    {
+      light.SkyRadiance = skyline::Rgb{};
+    }
     shading->SetInputData(lit);
     shading->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
-    shading->SetSunAzimuth(sun.GridAzimuth);
-    shading->SetSunElevation(sun.ApparentElevation);
-    shading->SetUseTime(sun.FromTime);
-    shading->SetTime(this->Sun.Time);
-    shading->SetSunIrradiance(
-      light.SunIrradiance[0], light.SunIrradiance[1], light.SunIrradiance[2]);
-    shading->SetSkyRadiance(light.SkyRadiance[0], light.SkyRadiance[1], light.SkyRadiance[2]);
+    skyline::SetDaylight(light, shading);
     shading->SetColorMap(this->Look.Colors);
     this->SetExposure(shading);
-    skyline::RunPass(shading, "shading", this->Talk);
+    this->RunPass(shading, "shading");
 
     vtkNew<vtkTrivialProducer> picture;
     picture->SetOutput(shading->GetOutput());
@@ -278,9 +226,9 @@ void AddShade(CLI::App& program)
     "exposure.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "Picture to write: .png, .exr or .tif");
-  command->Sun.AddTo(*app);
-  command->Look.AddSkyTo(*app);
-  command->Lights.AddLampsTo(*app);
+  AddSunOptions(*app, command->Lights.Sun);
+  AddPictureSkyOption(*app, command->Lights);
+  AddLampOptions(*app, command->Lights);
   command->Look.AddTo(*app);
   app
     ->add_option("--view", command->View,

@@ -3,6 +3,7 @@
 
 #include "Files.h"
 #include "IdleOptions.h"
+#include "LightOptions.h"
 #include "Options.h"
 #include "SunLight.h"
 
@@ -22,7 +23,7 @@ struct ShadowHeightCommand
   skyline::TerrainOptions Terrain;
   skyline::OutputOptions Output;
   skyline::HorizonOptions Horizon;
-  skyline::SunOptions Sun;
+  skyline::SunDescription Sun;
   bool Soft = false;
   skyline::Talk Talk;
 
@@ -39,7 +40,7 @@ struct ShadowHeightCommand
   {
     skyline::PrepareVtk(this->Talk);
     skyline::CheckRasterOutput(this->Output.File, { this->Terrain.File });
-    this->Sun.WarnOfZone(this->Talk);
+    skyline::WarnOfZone(this->Sun, this->Talk);
     if (this->Horizon.Method == "fast")
     {
       skyline::PrintWarning(
@@ -53,9 +54,8 @@ struct ShadowHeightCommand
     vtkNew<vtkHeightFieldShadowHeight> shadow;
     shadow->SetInputData(terrain);
     this->Horizon.Apply(shadow.Get());
-    shadow->SetSunAzimuth(sun.GridAzimuth);
-    shadow->SetSunElevation(sun.ApparentElevation);
-    shadow->SetSunAngularRadius(sun.Radius);
+    skyline::ApplySun(this->Sun, sun, shadow->GetSun());
+    shadow->UseTimeOff(); // the sun over the centre, as the command prints it
     shadow->SetSoft(this->Soft);
     skyline::RunPass(shadow, "shadow height", this->Talk);
     std::vector<std::string> bands{ "ShadowHeight" };
@@ -86,7 +86,7 @@ void AddShadowHeight(CLI::App& program)
     "for the whole DEM:\nwith --time, that over its centre. ");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write");
-  command->Sun.AddTo(*app, false);
+  AddSunOptions(*app, command->Sun, false);
   app->add_flag("--soft", command->Soft, "Add the shadow heights of the limbs of the sun's disc");
   HorizonNeeds needs;
   needs.Azimuths = false;

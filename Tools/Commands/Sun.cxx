@@ -4,6 +4,7 @@
 #include "Failure.h"
 #include "Files.h"
 #include "IdleOptions.h"
+#include "LightOptions.h"
 #include "Options.h"
 #include "Sun/Eclipse.h"
 #include "Sun/UtcTime.h"
@@ -26,7 +27,7 @@ struct SunCommand
   skyline::TerrainOptions Terrain;
   skyline::OutputOptions Output;
   skyline::HorizonOptions Horizon;
-  skyline::SunOptions Sun;
+  skyline::SunDescription Sun;
   skyline::Talk Talk;
 
   // The sun at the centre of the DEM: one `name: value unit` a line, the names fixed.
@@ -80,7 +81,8 @@ struct SunCommand
     shadow->SetInputData(terrain);
     this->Horizon.Apply(shadow.Get());
     const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
-    skyline::ApplySun(this->Sun, skyline::FindSun(this->Sun, center.Place, center.Height), shadow);
+    const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
+    skyline::ApplySun(this->Sun, sun, shadow->GetSun());
     skyline::RunPass(shadow, "sun", this->Talk);
     skyline::WriteRaster(shadow, { "SunVisibility" }, this->Output, this->Talk);
   }
@@ -88,7 +90,7 @@ struct SunCommand
   void Check(const skyline::IdleOptions& options) const
   {
     this->Horizon.RefuseIdle(options);
-    this->Sun.RefuseIdle(options);
+    skyline::RefuseIdleSun(this->Sun, options);
     options.Refuse(this->Output.File.empty(),
       { "--cloud-optimized", "--limb-darkening", "--method", "--surface", "--flat", "--refraction",
         "--tolerance" },
@@ -98,7 +100,7 @@ struct SunCommand
   void Run() const
   {
     skyline::PrepareVtk(this->Talk);
-    this->Sun.WarnOfZone(this->Talk);
+    skyline::WarnOfZone(this->Sun, this->Talk);
     if (this->Output.File.empty())
     {
       this->Print();
@@ -129,7 +131,7 @@ void AddSun(CLI::App& program)
     "disc, 0 to 1;\nin an eclipse at --time, times the share of its light that the Moon leaves.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write; without it the sun's position is printed", false);
-  command->Sun.AddTo(*app);
+  AddSunOptions(*app, command->Sun);
   HorizonNeeds needs;
   needs.Azimuths = false;
   command->Horizon.AddTo(*app, needs);

@@ -3,7 +3,7 @@
 
 #include "Failure.h"
 #include "IdleOptions.h"
-#include "Lights.h"
+#include "LightOptions.h"
 #include "LookOptions.h"
 #include "Options.h"
 #include "Perspective.h"
@@ -45,18 +45,17 @@ struct ViewCommand
   void Check(const skyline::IdleOptions& options) const
   {
     this->Options.Horizon.RefuseIdle(options);
-    this->Options.Lights.Sun.RefuseIdle(options);
+    skyline::RefuseIdleSun(this->Options.Lights.Sun, options);
   }
 
   void Run()
   {
     skyline::PrepareVtk(this->Talk);
-    this->Options.Lights.Sun.WarnOfZone(this->Talk);
+    skyline::WarnOfZone(this->Options.Lights.Sun, this->Talk);
     if (this->Options.Terrain.File.empty())
     {
       this->Options.Terrain.File = BundledTerrain();
     }
-    this->Options.Lights.Environment = this->Look.Environment;
     this->Options.Colors = this->Look.Colors;
     this->Options.Exposure = this->Look.Exposure;
     this->Options.Exaggeration = this->Look.Exaggeration;
@@ -87,9 +86,9 @@ void AddView(CLI::App& program)
     ViewerHelp());
   command->Options.Terrain.AddTo(*app);
   app->get_option("DEM")->required(false);
-  command->Options.Lights.Sun.AddTo(*app);
-  command->Look.AddSkyTo(*app);
-  command->Options.Lights.AddLampsTo(*app);
+  AddSunOptions(*app, command->Options.Lights.Sun);
+  AddPictureSkyOption(*app, command->Options.Lights);
+  AddLampOptions(*app, command->Options.Lights);
   command->Look.AddTo(*app);
   command->Perspective.AddTo(*app);
   command->Options.Horizon.AddTo(*app);

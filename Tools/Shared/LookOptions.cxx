@@ -2,7 +2,6 @@
 #include "LookOptions.h"
 
 #include "Color/ColorMaps.h"
-#include "SkyNames.h"
 #include "Values.h"
 
 #include <vector>
@@ -48,20 +47,6 @@ namespace skyline
 LookOptions::LookOptions()
   : Colors(ColorMaps()[0].Name)
 {
-}
-
-void LookOptions::AddSkyTo(CLI::App& command)
-{
-  command
-    .add_option("--environment", this->Environment,
-      "The sky. uniform: equally bright all over;\n"
-      "cie:N: sky N of CIE S 011: 1 overcast, 3 overcast with a moderate gradation, 5 uniform,\n"
-      "12 clear, 16 traditional overcast (three times as bright in the zenith as at the horizon);\n"
-      "none: black; FILE.hdr, FILE.exr: a light map, alone or with the sun of --sun or --time;\n"
-      "perez:DIRECT,DIFFUSE: Perez's sky and its sun, W/m2")
-    ->type_name("NAME|FILE")
-    ->check(Checked(CheckSky))
-    ->capture_default_str();
 }
 
 void LookOptions::AddTo(CLI::App& command)

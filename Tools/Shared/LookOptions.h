@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a picture of the terrain looks: its sky, colours, exposure and heights.
+// How a picture of the terrain looks: its colours, exposure and heights.
 #ifndef skyline_LookOptions_h
 #define skyline_LookOptions_h
 
@@ -11,17 +11,15 @@
 namespace skyline
 {
 
-/// --environment, --colors, --exposure, --exaggeration.
+/// --colors, --exposure, --exaggeration.
 struct LookOptions
 {
   LookOptions();
 
-  std::string Environment = "uniform";
   std::string Colors;
   std::optional<double> Exposure; ///< stops; none: automatic
   double Exaggeration = 1.0;
-  void AddSkyTo(CLI::App& command); ///< --environment alone
-  void AddTo(CLI::App& command);    ///< the others
+  void AddTo(CLI::App& command);
 };
 
 } // namespace skyline

@@ -1,45 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sun that the user asked for: by time and place, or by its direction.
+// The sun over a terrain: by time and place, or by its direction.
 #ifndef skyline_SunLight_h
 #define skyline_SunLight_h
 
 #include "Geo/Georeference.h"
-#include "Passes.h"
+#include "LightDescription.h"
 
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
 
-#include <CLI/CLI.hpp>
-
-#include <optional>
-#include <string>
-
 VTK_ABI_NAMESPACE_BEGIN
-class vtkHeightFieldSunShadow;
+class vtkSkylineSunLight;
 VTK_ABI_NAMESPACE_END
 
 namespace skyline
 {
-
-class IdleOptions;
-
-/// --time, --sun, --sun-radius, --limb-darkening.
-struct SunOptions
-{
-  std::string Time;
-  std::string Direction;
-  std::optional<double> Radius; ///< degrees; none: that of the time, or the mean one
-  bool LimbDarkening = false;
-  void AddTo(CLI::App& command, bool limbDarkening = true);
-
-  /// Whether the user asked for a sun.
-  bool Asked() const { return !this->Time.empty() || !this->Direction.empty(); }
-
-  /// Throws WrongUsage for options that cannot act; before any work.
-  void RefuseIdle(const IdleOptions& options) const;
-
-  /// Warns where the time has no zone.
-  void WarnOfZone(const Talk& talk) const;
-};
 
 /// The sun at one place. Angles in degrees.
 struct SunLight
@@ -57,10 +31,10 @@ struct SunLight
 /// The sun over the centre of the terrain, at `height` metres. Without --time and --sun: azimuth
 /// 315 from grid north, elevation 45. Throws Failure for --time without a place on the Earth, and what
 /// ParseUtcTime and ComputeSun throw.
-SunLight FindSun(const SunOptions& options, const Georeference& place, double height);
+SunLight FindSun(const SunDescription& asked, const Georeference& place, double height);
 
-/// Gives that sun to the filter: by time, so that it differs from post to post, or by direction.
-void ApplySun(const SunOptions& options, const SunLight& sun, vtkHeightFieldSunShadow* shadow);
+/// Gives that sun to a light: by time, so that it differs from post to post, or by direction.
+void ApplySun(const SunDescription& asked, const SunLight& sun, vtkSkylineSunLight* light);
 
 } // namespace skyline
 

@@ -1,35 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The values of options: every number, list of numbers and name on the command line is read here.
-//
-// Numbers are decimal with a point, in every locale: 12, -0.5, +3, 1e-3. No hexadecimal, no unit behind
-// the number, no "inf" or "nan".
+// The values of options: how the command line reads numbers and names, and says what is wrong with them.
 #ifndef skyline_Values_h
 #define skyline_Values_h
 
+#include "Shared/NumberText.h"
+
 #include <CLI/CLI.hpp>
 
+#include <exception>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace skyline
 {
-
-/// The finite number that the whole text is; none for any other text.
-std::optional<double> ReadNumber(const std::string& text);
-
-/// The finite numbers between separators; none if any part is no number.
-std::optional<std::vector<double>> ReadNumbers(const std::string& text, char separator = ',');
-
-/// What is wrong with a text that ReadNumber refuses: "12m is no number: leave m out, units are told in
-/// the help".
-std::string WhyNoNumber(const std::string& text);
-
-/// The same for a list of numbers: what is wrong with the first part that is no number; empty: nothing.
-std::string WhyNoNumbers(const std::string& text, char separator = ',');
-
-/// A number as messages and help show it.
-std::string NumberText(double number);
 
 /// The numbers that an option takes.
 struct Limits
@@ -58,17 +42,37 @@ CLI::Option* AddWhole(CLI::App& command, const std::string& name, int& target, i
   const std::string& help);
 ///@}
 
+/// Calls `read`, which reads the text of an option. A std::exception that it throws is what is wrong with
+/// the text, and refuses it.
+template <typename Read>
+void Refusing(const std::string& option, const Read& read)
+{
+  try
+  {
+    read();
+  }
+  catch (const std::exception& reason)
+  {
+    throw CLI::ValidationError(option, reason.what());
+  }
+}
+
+/// Adds an option whose text `parse` turns into a value, for `take`; it throws where it cannot.
+template <typename Parse, typename Take>
+CLI::Option* AddParsed(CLI::App& command, const std::string& name, const Parse& parse,
+  const Take& take, const std::string& help)
+{
+  return command.add_option_function<std::string>(
+    name,
+    [name, parse, take](const std::string& text) { Refusing(name, [&] { take(parse(text)); }); },
+    help);
+}
+
 /// A check of an option's text by a function that returns what is wrong, or nothing.
 CLI::Validator Checked(std::string (*check)(const std::string&));
 
 /// A check that a text is one of the names.
 CLI::Validator OneOf(const std::vector<std::string>& names);
-
-/// Of `names`, that which `word` was probably meant to be; empty if none is near.
-std::string Nearest(const std::string& word, const std::vector<std::string>& names);
-
-/// "; did you mean NAME?", or nothing.
-std::string DidYouMean(const std::string& word, const std::vector<std::string>& names);
 
 } // namespace skyline
 

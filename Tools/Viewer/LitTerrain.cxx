@@ -4,19 +4,17 @@
 #include "Exposure.h"
 #include "HeightRay.h"
 #include "Passes.h"
+#include "PicturePasses.h"
 #include "Shared/Constants.h"
-#include "Sky/ZonalSky.h"
 #include "Twilight.h"
 
 #include "vtkCommand.h"
 #include "vtkFloatArray.h"
+#include "vtkHeightFieldAlgorithm.h"
 #include "vtkHeightFieldIrradiance.h"
 #include "vtkHeightFieldShading.h"
-#include "vtkHeightFieldSkyLight.h"
-#include "vtkHeightFieldSkyView.h"
 #include "vtkHeightFieldSunShadow.h"
 #include "vtkImageData.h"
-#include "vtkImageShiftScale.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSkylineEnvironmentLight.h"
@@ -166,17 +164,8 @@ void LitTerrain::Exaggerate(const TerrainLight& light)
   {
     return;
   }
-  this->Scaled = this->Heights;
-  if (light.Exaggeration != 1.0)
-  {
-    vtkNew<vtkImageShiftScale> scale;
-    scale->SetInputData(this->Heights);
-    scale->SetScale(light.Exaggeration);
-    scale->SetOutputScalarTypeToDouble();
-    this->Run(scale, "exaggeration", false);
-    this->Scaled = scale->GetOutput();
-    this->Scaled->GetPointData()->GetScalars()->SetName("Elevation");
-  }
+  this->Scaled = skyline::Exaggerate(this->Heights, light.Exaggeration,
+    [this](vtkAlgorithm* filter, const std::string& title) { this->Run(filter, title, false); });
   this->Exaggeration = light.Exaggeration;
   this->SkyKey.clear();
   this->MapKey.clear();
@@ -191,57 +180,21 @@ void LitTerrain::Exaggerate(const TerrainLight& light)
 
 bool LitTerrain::LightSky(const TerrainLight& light, bool exact)
 {
-  const SkyKind kind = KindOfSky(light.Sky);
-  if (kind != SkyKind::Uniform && kind != SkyKind::Zonal)
+  const std::string key = light.Sky.Text;
+  if (!HasSkyPass(light.Sky.Kind) || key == this->SkyKey)
   {
     return true;
   }
-  const std::string key = Key(light.Sky);
-  if (key == this->SkyKey)
-  {
-    return true;
-  }
-  int type = 0;
-  bool done = false;
-  if (CieType(light.Sky, type))
-  {
-    vtkNew<vtkHeightFieldSkyLight> filter;
-    filter->SetInputData(this->Scaled);
-    filter->SetNumberOfAzimuths(this->Options.Azimuths);
-    filter->SetCieType(type);
-    this->Options.Apply(filter.Get());
-    done = this->Run(filter, "sky", exact);
-    this->Sky = done ? TakeArray(filter, "SkyLight") : this->Sky;
-  }
-  else
-  {
-    vtkNew<vtkHeightFieldSkyView> filter;
-    filter->SetInputData(this->Scaled);
-    filter->SetNumberOfAzimuths(this->Options.Azimuths);
-    filter->SetSkyViewFactorHorizontal(false);
-    filter->SetVisibleSkyFraction(false);
-    filter->SetPositiveOpenness(false);
-    this->Options.Apply(filter.Get());
-    done = this->Run(filter, "sky", exact);
-    this->Sky = done ? TakeArray(filter, "SkyViewFactor") : this->Sky;
-  }
+  const SkyPass sky = MakeSkyPass(light.Sky, this->Scaled, this->Options);
+  const bool done = this->Run(sky.Filter, "sky", exact);
+  this->Sky = done ? TakeArray(sky.Filter, sky.Array) : this->Sky;
   this->SkyKey = done ? key : this->SkyKey;
   return done;
 }
 
-vtkSmartPointer<vtkHeightFieldIrradiance> LitTerrain::MakeIrradiance() const
-{
-  auto filter = vtkSmartPointer<vtkHeightFieldIrradiance>::New();
-  filter->SetInputData(this->Scaled);
-  filter->SetNumberOfAzimuths(this->Options.Azimuths);
-  this->Options.Apply(filter.Get());
-  return filter;
-}
-
 bool LitTerrain::LightMap(const TerrainLight& light, bool exact)
 {
-  const SkyKind kind = KindOfSky(light.Sky);
-  if (kind != SkyKind::Formula && !IsMeasured(kind))
+  if (!HasEnvironment(light.Sky.Kind))
   {
     return true;
   }
@@ -250,7 +203,7 @@ bool LitTerrain::LightMap(const TerrainLight& light, bool exact)
   const double elevation = std::max(light.Sun.ApparentElevation, LowestSkySun);
   const double given = byFormula ? light.Sun.ApparentElevation : 0.0; // twilight included
   const std::string key =
-    Key(light.Sky, light.Rotation, exact, byFormula ? light.Sun.SkyAzimuth : 0.0, given);
+    Key(light.Sky.Text, light.Rotation, exact, byFormula ? light.Sun.SkyAzimuth : 0.0, given);
   if (key == this->MapKey)
   {
     return true;
@@ -258,7 +211,7 @@ bool LitTerrain::LightMap(const TerrainLight& light, bool exact)
   map->SetRotation(light.Rotation);
   map->SetSunAzimuth(light.Sun.SkyAzimuth);
   map->SetSunElevation(elevation);
-  if (kind == SkyKind::Formula)
+  if (light.Sky.Kind == SkyKind::Formula)
   {
     const Rgb sky = DaylightAndNight(light.Sun.ApparentElevation, light.Air).SkyRadiance;
     map->SetRadiance(sky[0], sky[1], sky[2]);
@@ -266,7 +219,7 @@ bool LitTerrain::LightMap(const TerrainLight& light, bool exact)
   auto& filter = exact ? this->ExactMap : this->FastMap;
   if (!filter)
   {
-    filter = this->MakeIrradiance();
+    filter = MakeIrradiancePass(this->Scaled, this->Options);
     if (exact)
     {
       const double bytes = 4.0 * static_cast<double>(this->Scaled->GetNumberOfPoints());
@@ -303,15 +256,13 @@ bool LitTerrain::LightSun(const TerrainLight& light, bool exact)
   auto& filter = exact ? this->ExactSun : this->FastSun;
   if (!filter)
   {
-    filter = vtkSmartPointer<vtkHeightFieldSunShadow>::New();
-    filter->SetInputData(this->Scaled);
-    this->Options.Apply(filter.Get());
+    filter = MakeShadowPass(this->Scaled, this->Options);
     if (!exact)
     {
       filter->SetMethodToFast();
     }
   }
-  ApplySun(light.SunAsked, light.Sun, filter);
+  ApplySun(light.SunAsked, light.Sun, filter->GetSun());
   filter->SetUseTime(byTime);
   if (!this->Run(filter, "sun", exact))
   {
@@ -351,7 +302,7 @@ bool LitTerrain::LightLamps(const TerrainLight& light, bool exact)
     source->SetPosition(lamp.X, lamp.Y, ground + lamp.Height);
     source->SetRadius(lamp.Radius);
     source->SetRadiance(lamp.Radiance[0], lamp.Radiance[1], lamp.Radiance[2]);
-    const auto filter = this->MakeIrradiance();
+    const auto filter = MakeIrradiancePass(this->Scaled, this->Options);
     filter->AddLight(source);
     if (!this->Run(filter, "lamp", exact))
     {
@@ -363,22 +314,27 @@ bool LitTerrain::LightLamps(const TerrainLight& light, bool exact)
   return true;
 }
 
-void LitTerrain::Shade(const TerrainLight& light, bool exact)
+Daylight LitTerrain::ChooseDaylight(const TerrainLight& light) const
 {
-  const SkyKind kind = KindOfSky(light.Sky);
   Daylight day = DaylightAndNight(light.Sun.ApparentElevation, light.Air);
-  if (IsMeasured(kind))
+  if (light.Sky.Measured())
   {
     day.SunIrradiance = light.MeasuredSun;
   }
-  else if (light.AskedSun && Luminance(day.SunIrradiance) > 0.0f)
+  else
   {
-    day.SunIrradiance = *light.AskedSun;
+    ReplaceSun(light.SunAsked.Irradiance, day);
   }
   if (!light.SunOn)
   {
     day.SunIrradiance = Rgb{};
   }
+  return day;
+}
+
+void LitTerrain::MeterSky(const TerrainLight& light, const Daylight& day)
+{
+  const SkyKind kind = light.Sky.Kind;
   const auto rise =
     static_cast<float>(std::sin(std::max(light.Sun.ApparentElevation, 0.0) * RadiansPerDegree));
   for (std::size_t c = 0; c < 3; ++c)
@@ -386,67 +342,67 @@ void LitTerrain::Shade(const TerrainLight& light, bool exact)
     const float sky = kind == SkyKind::None ? 0.0f : day.SkyRadiance[c];
     this->GroundLight[c] = sky + rise * day.SunIrradiance[c] / static_cast<float>(Pi);
   }
-  if (kind != SkyKind::Uniform && kind != SkyKind::Zonal)
+  this->SkyRadiance = kind == SkyKind::None ? Rgb{}
+    : light.Sky.Measured()                  ? MeanRadiance(this->Map)
+                                            : day.SkyRadiance;
+}
+
+vtkSmartPointer<vtkFloatArray> LitTerrain::SumFurtherLight(bool map) const
+{
+  auto further = vtkSmartPointer<vtkFloatArray>::New();
+  further->SetName("Further");
+  further->SetNumberOfComponents(3);
+  further->SetNumberOfTuples(this->Scaled->GetNumberOfPoints());
+  further->FillValue(0.0f);
+  if (map)
   {
-    this->SkyRadiance = kind == SkyKind::Formula ? day.SkyRadiance : Rgb{};
+    Add(this->Map, further);
+  }
+  for (const LampLayer& layer : this->Lamps)
+  {
+    Add(layer.Light, further);
+  }
+  return further;
+}
+
+void LitTerrain::Shade(const TerrainLight& light, bool exact)
+{
+  const SkyKind kind = light.Sky.Kind;
+  Daylight day = this->ChooseDaylight(light);
+  this->MeterSky(light, day);
+  if (!HasSkyPass(kind))
+  {
     day.SkyRadiance = Rgb{};
-  }
-  else
-  {
-    this->SkyRadiance = day.SkyRadiance;
-  }
-  if (IsMeasured(kind))
-  {
-    this->SkyRadiance = MeanRadiance(this->Map);
   }
 
   vtkNew<vtkImageData> posts;
   posts->ShallowCopy(this->Scaled);
   vtkPointData* arrays = posts->GetPointData();
-  const bool map = kind == SkyKind::Formula || IsMeasured(kind);
+  const bool map = HasEnvironment(kind);
   if (this->Sky && !map)
   {
     this->Sky->SetName("Sky");
     arrays->AddArray(this->Sky);
   }
-  if (this->Sun && Luminance(day.SunIrradiance) > 0.0f)
+  if (this->Sun && SunShines(day))
   {
     arrays->AddArray(this->Sun);
   }
-  if (map || !this->Lamps.empty())
+  const bool further = map || !this->Lamps.empty();
+  if (further)
   {
-    vtkNew<vtkFloatArray> further;
-    further->SetName("Further");
-    further->SetNumberOfComponents(3);
-    further->SetNumberOfTuples(posts->GetNumberOfPoints());
-    further->FillValue(0.0f);
-    if (map)
-    {
-      Add(this->Map, further);
-    }
-    for (const LampLayer& layer : this->Lamps)
-    {
-      Add(layer.Light, further);
-    }
-    arrays->AddArray(further);
-    this->Shading->SetIrradianceArrayName("Further");
+    arrays->AddArray(this->SumFurtherLight(map));
   }
-  else
-  {
-    this->Shading->SetIrradianceArrayName("");
-  }
+  this->Shading->SetIrradianceArrayName(further ? "Further" : "");
   this->Shading->SetInputData(posts);
   this->Shading->SetSkyArrayName("Sky");
-  this->Shading->SetSunAzimuth(light.Sun.GridAzimuth);
-  this->Shading->SetSunElevation(light.Sun.ApparentElevation);
+  ApplySun(light.SunAsked, light.Sun, this->Shading->GetSun());
   this->Shading->SetUseTime(exact && light.Sun.FromTime);
-  this->Shading->SetTime(light.SunAsked.Time);
-  this->Shading->SetSunIrradiance(day.SunIrradiance[0], day.SunIrradiance[1], day.SunIrradiance[2]);
-  this->Shading->SetSkyRadiance(day.SkyRadiance[0], day.SkyRadiance[1], day.SkyRadiance[2]);
+  SetDaylight(day, this->Shading);
   this->Shading->SetColorMap(light.Colors);
   this->Run(this->Shading, "shading", false);
   const double stops = this->Shading->GetUsedExposure();
-  this->Exposure = IsMeasured(kind) ? stops : AdaptedStops(stops);
+  this->Exposure = light.Sky.Measured() ? stops : AdaptedStops(stops);
   this->Output = vtkSmartPointer<vtkImageData>::New();
   this->Output->ShallowCopy(this->Shading->GetOutput());
 }
@@ -456,8 +412,7 @@ bool LitTerrain::Light(const TerrainLight& light, bool exact)
   this->Times.clear();
   this->Exaggerate(light);
   const bool shines = light.SunOn &&
-    (IsMeasured(KindOfSky(light.Sky)) ||
-      Luminance(DaylightAndNight(light.Sun.ApparentElevation, light.Air).SunIrradiance) > 0.0f);
+    (light.Sky.Measured() || SunShines(DaylightAndNight(light.Sun.ApparentElevation, light.Air)));
   if (!this->LightSky(light, exact) || !this->LightMap(light, exact) ||
     (shines && !this->LightSun(light, exact)) || !this->LightLamps(light, exact))
   {

@@ -3,10 +3,9 @@
 #ifndef skyline_LitTerrain_h
 #define skyline_LitTerrain_h
 
-#include "Color/ToneMap.h"
+#include "Color/Daylight.h"
 #include "LampPreview.h"
 #include "Options.h"
-#include "SkyNames.h"
 #include "SunLight.h"
 #include "ViewerState.h"
 
@@ -15,7 +14,6 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,11 +39,10 @@ struct TerrainLight
 {
   bool SunOn = true;
   SunLight Sun;
-  SunOptions SunAsked; ///< the time, with Sun.FromTime
-  std::string Sky = "uniform";
+  SunDescription SunAsked; ///< what Sun was found from
+  SkyDescription Sky;
   vtkSmartPointer<vtkSkylineEnvironmentLight> Environment; ///< of Formula, Perez and Map
   Rgb MeasuredSun{ { 1, 1, 1 } };                          ///< irradiance beside a measured sky
-  std::optional<Rgb> AskedSun;                             ///< irradiance in place of the day's
   bool Air = true;
   double Rotation = 0.0; ///< degrees
   std::vector<ViewerLamp> Lamps;
@@ -94,9 +91,11 @@ private:
   bool LightMap(const TerrainLight& light, bool exact);
   bool LightSun(const TerrainLight& light, bool exact);
   bool LightLamps(const TerrainLight& light, bool exact);
+  Daylight ChooseDaylight(const TerrainLight& light) const;
+  void MeterSky(const TerrainLight& light, const Daylight& day);
+  vtkSmartPointer<vtkFloatArray> SumFurtherLight(bool map) const;
   void Shade(const TerrainLight& light, bool exact);
   bool Run(vtkAlgorithm* filter, const std::string& title, bool stoppable);
-  vtkSmartPointer<vtkHeightFieldIrradiance> MakeIrradiance() const;
 
   HorizonOptions Options;
   vtkSmartPointer<vtkImageData> Heights;

@@ -36,10 +36,9 @@ double SineOf(std::ptrdiff_t row, std::ptrdiff_t rows)
 }
 
 // Each row by its sine above the horizon, over the mean of open level ground's irradiance over pi.
-SkyImage Zonal(const std::string& name, const Rgb& level)
+SkyImage Zonal(const skyline::SkyDescription& description, const Rgb& level)
 {
-  int type = UniformType;
-  skyline::CieType(name, type);
+  const int type = description.Kind == skyline::SkyKind::Zonal ? description.CieType : UniformType;
   SkyImage sky = Blank(2, skyline::FormulaColumns / 2);
   const std::ptrdiff_t half = sky.Rows / 2;
   double mean = 0.0;
@@ -160,7 +159,7 @@ float SkyImage::Peak() const
 
 SkyImage MakeSkyImage(const TerrainLight& light, const Rgb& level, const Rgb& ground)
 {
-  const SkyKind kind = KindOfSky(light.Sky);
+  const SkyKind kind = light.Sky.Kind;
   SkyImage sky;
   if (kind == SkyKind::Uniform || kind == SkyKind::Zonal)
   {
@@ -189,8 +188,8 @@ std::string SkyImageKey(const TerrainLight& light, const Rgb& level, const Rgb& 
 {
   std::ostringstream key;
   key.precision(9);
-  key << light.Sky;
-  for (const Rgb& part : { level, IsMeasured(KindOfSky(light.Sky)) ? level : ground })
+  key << light.Sky.Text;
+  for (const Rgb& part : { level, light.Sky.Measured() ? level : ground })
   {
     key << '|' << part[0] << ',' << part[1] << ',' << part[2];
   }

@@ -186,8 +186,7 @@ void Viewer::KeyPress(int key, const Modifiers& with)
   this->Say("");
   if (key == 'K')
   {
-    const SkyKind kind = KindOfSky(this->State.Skies[this->State.Sky]);
-    this->State.Sun = !IsMeasured(kind);
+    this->State.Sun = !this->State.GetSky().Measured();
   }
   switch (wish)
   {
@@ -239,8 +238,9 @@ void Viewer::Drop(const std::vector<std::string>& files)
     {
       if (IsLightMap(file))
       {
-        this->Lights.Find(file);
-        this->State.TakeSky(file);
+        const SkyDescription sky = SkyOfFile(file);
+        this->Lights.Find(sky);
+        this->State.TakeSky(sky);
         this->State.Sun = false;
         this->Say("sky: " + NameOf(file) + "; S adds the sun");
       }

@@ -34,7 +34,7 @@ struct ViewerOptions
 {
   TerrainOptions Terrain;
   HorizonOptions Horizon;
-  LightOptions Lights;
+  LightDescription Lights;
   std::string Colors;
   std::optional<double> Exposure; ///< stops; none: automatic
   double Exaggeration = 1.0;

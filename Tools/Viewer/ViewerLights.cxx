@@ -3,12 +3,14 @@
 
 #include "Color/ColorMaps.h"
 #include "HeightRay.h"
+#include "Lights.h"
+#include "PicturePasses.h"
 
 #include "vtkImageData.h"
 #include "vtkSkylineEnvironmentLight.h"
 #include "vtkSkylineLampLight.h"
-#include "vtkSkylineSunLight.h"
 
+#include <algorithm>
 #include <ctime>
 #include <sstream>
 
@@ -28,21 +30,12 @@ int ThisYear()
   return parts.tm_year + 1900;
 }
 
-// As --sun reads it.
-std::string Direction(double azimuth, double elevation)
-{
-  std::ostringstream text;
-  text.precision(9);
-  text << azimuth << ',' << elevation;
-  return text.str();
-}
-
 } // namespace
 
 namespace skyline
 {
 
-ViewerLights::ViewerLights(const LightOptions& asked, const Talk& talk)
+ViewerLights::ViewerLights(const LightDescription& asked, const Talk& talk)
   : Asked(asked)
   , Told(talk)
 {
@@ -64,7 +57,7 @@ void ViewerLights::SetClock(ViewerState& state) const
     const SunClock& old = state.Clock;
     state.Clock = SunClock(old.GetYear(), old.GetDayOfYear(), old.GetMinutes(), zone);
   }
-  else if (earth && this->Asked.Sun.Direction.empty())
+  else if (earth && !this->Asked.Sun.Direction)
   {
     state.ByTime = true;
     const int day = this->Middle.Latitude < 0.0 ? DecemberSolstice : JuneSolstice;
@@ -78,75 +71,51 @@ void ViewerLights::SetClock(ViewerState& state) const
 
 void ViewerLights::Take(ViewerState& state)
 {
-  const LightOptions& asked = this->Asked;
+  const LightDescription& asked = this->Asked;
   const SunLight sun = FindSun(asked.Sun, this->Middle.Place, this->Middle.Height);
   if (sun.FromTime)
   {
     state.Clock = SunClock(asked.Sun.Time, NauticalZone(this->Middle.Longitude));
   }
-  else if (!asked.Sun.Direction.empty())
+  else if (asked.Sun.Direction)
   {
     state.Azimuth = sun.GridAzimuth;
     state.Elevation = sun.ApparentElevation;
   }
-  state.Skies = { "uniform", "cie:1", "cie:12", "none" };
+  state.Skies.clear();
+  for (const char* name : { "uniform", "cie:1", "cie:12", "none" })
+  {
+    state.Skies.push_back(ParseSky(name, true));
+  }
   state.Rotation = asked.Rotation;
-
-  // The sun beside a light map, as --sun-irradiance and perez: have it.
-  LightOptions beside = asked;
-  beside.Lamps.clear();
-  beside.Sun = SunOptions();
-  beside.Sun.Direction = "180,45";
-  const bool perez = KindOfSky(asked.Environment) == SkyKind::Perez;
-  beside.Environment = perez ? asked.Environment : "uniform";
-  for (const auto& light : MakeLights(beside, this->Terrain, this->Told))
+  const auto irradiance = SunIrradianceOf(asked);
+  std::transform(irradiance.begin(), irradiance.end(), this->MeasuredSun.begin(),
+    [](double part) { return static_cast<float>(part); });
+  if (asked.Sky)
   {
-    if (auto* disc = vtkSkylineSunLight::SafeDownCast(light))
-    {
-      const double* e = disc->GetIrradiance();
-      this->MeasuredSun = { { static_cast<float>(e[0]), static_cast<float>(e[1]),
-        static_cast<float>(e[2]) } };
-      if (!asked.SunIrradiance.empty())
-      {
-        this->AskedSun = this->MeasuredSun;
-      }
-    }
+    this->Find(*asked.Sky);
+    state.TakeSky(*asked.Sky);
+    state.Sun = asked.Sky->Kind != SkyKind::Map || asked.Sun.Asked();
   }
-  if (!asked.Environment.empty())
+  for (const LampDescription& lamp : asked.Lamps)
   {
-    this->Find(asked.Environment);
-    state.TakeSky(asked.Environment);
-    state.Sun = !IsMeasured(KindOfSky(asked.Environment)) || perez || asked.Sun.Asked();
-  }
-
-  LightOptions lamps;
-  lamps.Lamps = asked.Lamps;
-  for (const auto& light : MakeLights(lamps, this->Terrain, this->Told))
-  {
-    if (auto* ball = vtkSkylineLampLight::SafeDownCast(light))
-    {
-      const double* at = ball->GetPosition();
-      const double* l = ball->GetRadiance();
-      const double ground = GroundOrZero(this->Terrain, state.Exaggeration, at[0], at[1]);
-      state.AddLamp({ at[0], at[1], at[2] - ground, ball->GetRadius(), { { l[0], l[1], l[2] } } });
-    }
+    const auto ball = MakeLamp(lamp, this->Terrain, this->Told);
+    const double* at = ball->GetPosition();
+    const double ground = GroundOrZero(this->Terrain, state.Exaggeration, at[0], at[1]);
+    state.AddLamp({ at[0], at[1], at[2] - ground, lamp.Radius, lamp.Radiance });
   }
 }
 
-vtkSmartPointer<vtkSkylineEnvironmentLight> ViewerLights::Find(const std::string& name)
+vtkSmartPointer<vtkSkylineEnvironmentLight> ViewerLights::Find(const SkyDescription& sky)
 {
-  const SkyKind kind = KindOfSky(name);
-  if (kind != SkyKind::Formula && !IsMeasured(kind))
+  if (!HasEnvironment(sky.Kind))
   {
     return nullptr;
   }
-  auto& known = this->Environments[name];
+  auto& known = this->Environments[sky.Text];
   if (!known)
   {
-    LightOptions options;
-    options.Environment = name;
-    known = vtkSkylineEnvironmentLight::SafeDownCast(
-      MakeLights(options, this->Terrain, this->Told).front());
+    known = MakeSky(sky, this->Told);
   }
   return known;
 }
@@ -162,13 +131,11 @@ TerrainLight ViewerLights::Make(const ViewerState& state)
   light.SunOn = state.Sun;
   light.SunAsked = this->Asked.Sun;
   light.SunAsked.Time = state.ByTime ? state.Clock.ToTime() : "";
-  light.SunAsked.Direction =
-    state.ByTime ? std::string() : Direction(state.Azimuth, state.Elevation);
+  light.SunAsked.Direction = SunAngles{ state.Azimuth, state.Elevation };
   light.Sun = FindSun(light.SunAsked, this->Middle.Place, this->Middle.Height);
-  light.Sky = state.Skies[state.Sky];
+  light.Sky = state.GetSky();
   light.Environment = this->Find(light.Sky);
   light.MeasuredSun = this->MeasuredSun;
-  light.AskedSun = this->AskedSun;
   light.Air = !this->Middle.Place.OnBody() || this->Middle.Place.Earth;
   light.Rotation = state.Rotation;
   light.Lamps = state.Lamps;
@@ -181,7 +148,7 @@ std::string ViewerLights::Key(const ViewerState& state)
 {
   std::ostringstream key;
   key.precision(17);
-  key << state.Sun << state.ByTime << '|' << state.Skies[state.Sky] << '|' << state.Rotation << '|'
+  key << state.Sun << state.ByTime << '|' << state.GetSky().Text << '|' << state.Rotation << '|'
       << state.Colors << '|';
   if (state.ByTime)
   {

@@ -4,7 +4,7 @@
 #define skyline_ViewerLights_h
 
 #include "Files.h"
-#include "Lights.h"
+#include "LightDescription.h"
 #include "LitTerrain.h"
 #include "ViewerState.h"
 
@@ -12,7 +12,6 @@
 #include "vtkSmartPointer.h"
 
 #include <map>
-#include <optional>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -27,7 +26,7 @@ namespace skyline
 class ViewerLights
 {
 public:
-  ViewerLights(const LightOptions& asked, const Talk& talk);
+  ViewerLights(const LightDescription& asked, const Talk& talk);
 
   /// The place of the lights; first of all. Throws what CenterOf throws.
   void SetTerrain(vtkImageData* terrain);
@@ -40,7 +39,7 @@ public:
 
   /// The light of a sky that is not the same all around; null for the others. Throws Failure for a
   /// map that cannot be read.
-  vtkSmartPointer<vtkSkylineEnvironmentLight> Find(const std::string& name);
+  vtkSmartPointer<vtkSkylineEnvironmentLight> Find(const SkyDescription& sky);
   void Forget(const std::string& name);
 
   /// The light as the state has it. Throws what FindSun and Find throw.
@@ -50,13 +49,12 @@ public:
   static std::string Key(const ViewerState& state);
 
 private:
-  LightOptions Asked;
+  LightDescription Asked;
   Talk Told;
   vtkSmartPointer<vtkImageData> Terrain;
   Center Middle;
   std::map<std::string, vtkSmartPointer<vtkSkylineEnvironmentLight>> Environments;
   Rgb MeasuredSun{ { 1, 1, 1 } };
-  std::optional<Rgb> AskedSun;
 };
 
 } // namespace skyline

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerState.h"
 
+#include "Geo/Azimuth.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,11 +24,6 @@ constexpr double HighestSun = 90.0;    // degrees
 constexpr double SecondsOfADay = 30.0; // animated
 constexpr double SunnyHalf = 0.5 * (HighestSun - LowestSun);
 
-double Turned(double degrees)
-{
-  return degrees - 360.0 * std::floor(degrees / 360.0);
-}
-
 } // namespace
 
 namespace skyline
@@ -41,7 +38,7 @@ void ViewerState::StepAcross(double steps, bool fine)
   }
   else
   {
-    this->Azimuth = Turned(this->Azimuth + AzimuthStep * part);
+    this->Azimuth = NormalizedAzimuth(this->Azimuth + AzimuthStep * part);
   }
 }
 
@@ -122,7 +119,8 @@ ViewerWish ViewerState::Press(int key, const Modifiers& with)
       this->Sky = (this->Sky + 1) % this->Skies.size();
       return ViewerWish::Changed;
     case 'R':
-      this->Rotation = Turned(this->Rotation + (with.Shift ? -RotationStep : RotationStep));
+      this->Rotation =
+        NormalizedAzimuth(this->Rotation + (with.Shift ? -RotationStep : RotationStep));
       return ViewerWish::Changed;
     case 'X':
       this->Exaggeration =
@@ -236,7 +234,7 @@ void ViewerState::DragSun(double across, double up)
   }
   else
   {
-    this->Azimuth = Turned(this->Azimuth + 360.0 * across);
+    this->Azimuth = NormalizedAzimuth(this->Azimuth + 360.0 * across);
     this->Elevation = std::clamp(this->Elevation + 2.0 * SunnyHalf * up, LowestSun, HighestSun);
   }
 }
@@ -254,17 +252,18 @@ void ViewerState::Advance(double seconds)
   }
   else
   {
-    this->Azimuth = Turned(this->Azimuth + 360.0 * days);
+    this->Azimuth = NormalizedAzimuth(this->Azimuth + 360.0 * days);
   }
 }
 
-void ViewerState::TakeSky(const std::string& name)
+void ViewerState::TakeSky(const SkyDescription& sky)
 {
-  const auto known = std::find(this->Skies.begin(), this->Skies.end(), name);
+  const auto known = std::find_if(this->Skies.begin(), this->Skies.end(),
+    [&](const SkyDescription& one) { return one.Text == sky.Text; });
   this->Sky = static_cast<std::size_t>(known - this->Skies.begin());
   if (known == this->Skies.end())
   {
-    this->Skies.push_back(name);
+    this->Skies.push_back(sky);
   }
 }
 

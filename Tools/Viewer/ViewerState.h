@@ -3,6 +3,7 @@
 #ifndef skyline_ViewerState_h
 #define skyline_ViewerState_h
 
+#include "Sky/SkyDescription.h"
 #include "SunClock.h"
 #include "ViewerInput.h"
 
@@ -62,7 +63,7 @@ struct ViewerState
   bool Sun = true;
   bool Animated = false;
 
-  std::vector<std::string> Skies{ "uniform" }; ///< as --environment names them
+  std::vector<SkyDescription> Skies{ SkyDescription() };
   std::size_t Sky = 0;
   double Rotation = 0.0; ///< degrees
 
@@ -92,7 +93,9 @@ struct ViewerState
   void Advance(double seconds);
 
   /// Adds a sky, once, and makes it the present one.
-  void TakeSky(const std::string& name);
+  void TakeSky(const SkyDescription& sky);
+
+  const SkyDescription& GetSky() const { return this->Skies[this->Sky]; }
 
   /// The exposure of the picture.
   double Stops() const

@@ -40,7 +40,7 @@ std::string StatusText(
          << state.Clock.ZoneName() << "\n"
          << "UTC      " << state.Clock.UtcText() << "\n";
   }
-  text << "sky      " << NameOf(state.Skies[state.Sky]);
+  text << "sky      " << NameOf(state.GetSky().Text);
   if (state.Rotation != 0.0)
   {
     text << Format("  turned %.0f\xc2\xb0", state.Rotation);

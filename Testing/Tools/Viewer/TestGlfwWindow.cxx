@@ -124,7 +124,7 @@ TEST_F(GlfwWindowTest, DropsReachTheViewer)
   const std::string map = Data("light-maps/sky_128.hdr");
   const char* files[] = { map.c_str(), "/nowhere.tif" };
   this->Take(glfwSetDropCallback)(this->Window->GetHandle(), 2, files);
-  EXPECT_EQ(this->View->GetState().Skies[this->View->GetState().Sky], map);
+  EXPECT_EQ(this->View->GetState().GetSky().Text, map);
   EXPECT_NE(this->View->GetMessage().find("/nowhere.tif"), std::string::npos);
 }
 

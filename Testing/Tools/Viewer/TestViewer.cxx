@@ -201,8 +201,7 @@ TEST_F(ViewerTest, DroppedFilesBecomeSkyOrTerrain)
 {
   this->Open();
   this->View->Drop({ Data("light-maps/sunset_128.hdr") });
-  EXPECT_EQ(
-    this->View->GetState().Skies[this->View->GetState().Sky], Data("light-maps/sunset_128.hdr"));
+  EXPECT_EQ(this->View->GetState().GetSky().Text, Data("light-maps/sunset_128.hdr"));
   EXPECT_FALSE(this->View->GetState().Sun);
   this->Draw();
   EXPECT_TRUE(HasPass(this->View->GetTimes(), "light map"));
@@ -234,7 +233,7 @@ TEST_F(ViewerTest, WrongFilesAreAMessage)
     EXPECT_NEAR(Brightness(this->Window), before, 8.0) << "the terrain stays; a line of text comes";
   }
   EXPECT_EQ(this->View->GetTitle(), "SainteHelens.tif - skyline");
-  EXPECT_EQ(this->View->GetState().Skies[this->View->GetState().Sky], "uniform");
+  EXPECT_EQ(this->View->GetState().GetSky().Text, "uniform");
 }
 
 TEST_F(ViewerTest, HeightsStretch)
@@ -391,9 +390,9 @@ TEST_F(ViewerTest, OptionsOfTheCommandLineCount)
 {
   ViewerOptions options = Quick();
   options.Lights.Sun.Time.clear();
-  options.Lights.Sun.Direction = "100,20";
-  options.Lights.Environment = "cie:12";
-  options.Lights.Lamps = { "562000,5114000,3000,100,5,5,5" };
+  options.Lights.Sun.Direction = SunAngles{ 100.0, 20.0 };
+  options.Lights.Sky = ParseSky("cie:12");
+  options.Lights.Lamps = { { 562000.0, 5114000.0, 3000.0, 100.0, { { 5.0, 5.0, 5.0 } }, "" } };
   options.Colors = "gray";
   options.Exaggeration = 2.0;
   this->Open(options);
@@ -401,7 +400,7 @@ TEST_F(ViewerTest, OptionsOfTheCommandLineCount)
   EXPECT_FALSE(state.ByTime);
   EXPECT_EQ(state.Azimuth, 100.0);
   EXPECT_EQ(state.Elevation, 20.0);
-  EXPECT_EQ(state.Skies[state.Sky], "cie:12");
+  EXPECT_EQ(state.GetSky().Text, "cie:12");
   ASSERT_EQ(state.Lamps.size(), 1u);
   EXPECT_EQ(state.Lamps[0].Radius, 100.0);
   EXPECT_TRUE(HasPass(this->View->GetTimes(), "light map"));

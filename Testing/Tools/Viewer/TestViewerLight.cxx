@@ -163,7 +163,7 @@ constexpr Rgb White{ { 1.0f, 1.0f, 1.0f } };
 TerrainLight Under(const std::string& sky)
 {
   TerrainLight light;
-  light.Sky = sky;
+  light.Sky = ParseSky(sky, true);
   return light;
 }
 

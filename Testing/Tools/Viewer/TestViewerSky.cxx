@@ -132,7 +132,7 @@ TEST_F(ViewerSky, SunOfAMapStandsWhereItsLightComesFrom)
 {
   ViewerOptions options = Quick();
   options.Lights.Sun.Time.clear();
-  options.Lights.Environment = WriteSunMap();
+  options.Lights.Sky = SkyOfFile(WriteSunMap());
   this->Open(options);
   for (int k = 0; k < 3; ++k)
   {
@@ -160,7 +160,7 @@ TEST_F(ViewerSky, SunsDiscStandsInItsDirection)
 {
   ViewerOptions options = Quick();
   options.Lights.Sun.Time.clear();
-  options.Lights.Sun.Direction = "250,20";
+  options.Lights.Sun.Direction = SunAngles{ 250.0, 20.0 };
   this->Open(options);
   this->Look(250.0, 20.0);
   const auto place = this->Brightest();
@@ -172,7 +172,7 @@ TEST_F(ViewerSky, NightIsDarkButNotBlack)
 {
   ViewerOptions options = Quick();
   options.Lights.Sun.Time.clear();
-  options.Lights.Sun.Direction = "0,20";
+  options.Lights.Sun.Direction = SunAngles{ 0.0, 20.0 };
   this->Open(options);
   const auto ground = [this] { return Brightness(this->Window, 220, 140, 420, 240); };
   const double day = ground();

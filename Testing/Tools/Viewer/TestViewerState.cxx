@@ -183,12 +183,12 @@ TEST(ViewerState, LampKeysMeanTheChosenOne)
 TEST(ViewerState, SkiesGoRound)
 {
   ViewerState state;
-  state.TakeSky("map.hdr");
-  state.TakeSky("map.hdr");
+  state.TakeSky(SkyOfFile("map.hdr"));
+  state.TakeSky(SkyOfFile("map.hdr"));
   ASSERT_EQ(state.Skies.size(), 2u);
-  EXPECT_EQ(state.Skies[state.Sky], "map.hdr");
+  EXPECT_EQ(state.GetSky().Text, "map.hdr");
   state.Press('K', Plain);
-  EXPECT_EQ(state.Skies[state.Sky], "uniform");
+  EXPECT_EQ(state.GetSky().Text, "uniform");
 }
 
 TEST(ViewerState, EscapeClosesTheHelpFirst)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LaterTime.h"
+#include "Sun/HoursAfter.h"
 
 #include "Sun/Calendar.h"
-#include "Sun/UtcTime.h"
 
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 
 namespace skyline
 {
@@ -18,7 +18,7 @@ constexpr std::int64_t SecondsPerDay = 86400;
 
 } // namespace
 
-std::string LaterTime(const std::string& time, double hours)
+UtcTime HoursAfter(const UtcTime& time, double hours)
 {
   if (!(std::abs(hours) < 1e7)) // more than a thousand years, or not a number
   {
@@ -29,21 +29,20 @@ std::string LaterTime(const std::string& time, double hours)
   {
     return time;
   }
-  UtcTime moment = ParseUtcTime(time);
-  const double seconds = moment.Second + 3600.0 * hours;
+  const double seconds = time.Second + 3600.0 * hours;
   const double whole = std::floor(seconds);
-  const std::int64_t clock =
-    3600 * moment.Hour + 60 * moment.Minute + static_cast<std::int64_t>(whole);
+  const std::int64_t clock = 3600 * time.Hour + 60 * time.Minute + static_cast<std::int64_t>(whole);
   const std::int64_t left = (clock % SecondsPerDay + SecondsPerDay) % SecondsPerDay;
   const auto days = static_cast<int>((clock - left) / SecondsPerDay);
-  const CalendarDate date = DateOfDay(DayNumber({ moment.Year, moment.Month, moment.Day + days }));
+  const CalendarDate date = DateOfDay(DayNumber({ time.Year, time.Month, time.Day + days }));
+  UtcTime moment;
   moment.Year = date.Year;
   moment.Month = date.Month;
   moment.Day = date.Day;
   moment.Hour = static_cast<int>(left / 3600);
   moment.Minute = static_cast<int>(left / 60 % 60);
   moment.Second = static_cast<double>(left % 60) + (seconds - whole);
-  return ToText(moment);
+  return moment;
 }
 
 } // namespace skyline
