@@ -7,6 +7,7 @@
 #include "Horizon/HorizonMethod.h"
 #include "HorizonInput.h"
 #include "Shared/Doubt.h"
+#include "SkylineFiltersModule.h" // for the export macro
 #include "SlopeSearch.h"
 
 #include <functional>
@@ -28,7 +29,7 @@ enum class AzimuthAxes
 };
 
 /// Azimuths are radians. Nothing here depends on the number of threads.
-class HorizonDriver
+class SKYLINEFILTERS_EXPORT HorizonDriver
 {
 public:
   /// settings: how horizons are found; Sink belongs to the input (HorizonInput::Sink). pyramids: keeps

@@ -8,6 +8,7 @@
 #include "Geo/RowBands.h"
 #include "HeightField/HeightField.h"
 #include "Shared/Doubt.h"
+#include "SkylineFiltersModule.h" // for the export macro
 
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
 
@@ -24,11 +25,11 @@ namespace skyline
 {
 
 /// The posts with the lengths of another place of the raster.
-Grid WithSpacing(Grid posts, const PostMetric& metric);
-Grid WithSpacing(Grid posts, const RowBand& band);
+SKYLINEFILTERS_EXPORT Grid WithSpacing(Grid posts, const PostMetric& metric);
+SKYLINEFILTERS_EXPORT Grid WithSpacing(Grid posts, const RowBand& band);
 
 /// Heights, place and lengths of a raster, ready for the methods that find horizons.
-class HorizonInput
+class SKYLINEFILTERS_EXPORT HorizonInput
 {
 public:
   /// Throws std::invalid_argument with a one-line reason if the image carries no surface, and

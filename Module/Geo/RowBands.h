@@ -3,6 +3,8 @@
 #ifndef skyline_RowBands_h
 #define skyline_RowBands_h
 
+#include "SkylineCoreModule.h" // for the export macro
+
 #include <cstddef>
 #include <vector>
 
@@ -26,7 +28,8 @@ struct RowBand
 /// the band's by more than `tolerance` (relative, default RowBandTolerance, at least 0). One band
 /// with the centre's spacing unless every row has one of its own (GroundMetric::ByRows). Throws
 /// std::invalid_argument for a negative tolerance.
-std::vector<RowBand> RowBands(const GroundMetric& metric, double tolerance = RowBandTolerance);
+SKYLINECORE_EXPORT std::vector<RowBand> RowBands(
+  const GroundMetric& metric, double tolerance = RowBandTolerance);
 
 } // namespace skyline
 

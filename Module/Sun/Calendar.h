@@ -3,6 +3,8 @@
 #ifndef skyline_Calendar_h
 #define skyline_Calendar_h
 
+#include "SkylineCoreModule.h" // for the export macro
+
 namespace skyline
 {
 
@@ -14,13 +16,13 @@ struct CalendarDate
 
 /// Days from the date to the next one differ by 1: the modified Julian date. Years from -4799 on; a day
 /// beyond its month counts on into the next.
-int DayNumber(const CalendarDate& date);
+SKYLINECORE_EXPORT int DayNumber(const CalendarDate& date);
 
 /// The date with a DayNumber.
-CalendarDate DateOfDay(int number);
+SKYLINECORE_EXPORT CalendarDate DateOfDay(int number);
 
 int DaysInMonth(int year, int month);
-int DaysInYear(int year);
+SKYLINECORE_EXPORT int DaysInYear(int year);
 
 } // namespace skyline
 
