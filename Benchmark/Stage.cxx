@@ -62,7 +62,7 @@ const Truth& Stage::Horizons()
   if (!this->Sparse)
   {
     this->Sparse = std::make_unique<Truth>(
-      this->Scene, this->Work.Posts, EvenAzimuths(this->Work.Azimuths), Seed, this->Stop);
+      this->Scene, this->Work.Posts, EvenDegrees(this->Work.Azimuths), Seed, this->Stop);
   }
   return *this->Sparse;
 }
@@ -72,7 +72,7 @@ const Truth& Stage::DenseHorizons()
   if (!this->Dense)
   {
     this->Dense = std::make_unique<Truth>(
-      this->Scene, this->Work.SkyPosts, EvenAzimuths(this->Work.SkyAzimuths), Seed, this->Stop);
+      this->Scene, this->Work.SkyPosts, EvenDegrees(this->Work.SkyAzimuths), Seed, this->Stop);
   }
   return *this->Dense;
 }

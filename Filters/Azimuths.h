@@ -15,8 +15,8 @@ namespace skyline
 
 constexpr int MaximumAzimuths = 3600; ///< a tenth of a degree: finer than any raster resolves
 
-/// 360 k / count degrees as radians, k = 0 .. count - 1. std::invalid_argument unless 1 <= count <= 3600.
-inline std::vector<double> EvenAzimuths(int count)
+/// 360 k / count degrees, k = 0 .. count - 1. std::invalid_argument unless 1 <= count <= 3600.
+inline std::vector<double> EvenDegrees(int count)
 {
   if (count < 1 || count > MaximumAzimuths)
   {
@@ -26,7 +26,18 @@ inline std::vector<double> EvenAzimuths(int count)
   std::vector<double> azimuths(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k)
   {
-    azimuths[static_cast<std::size_t>(k)] = 360.0 * k / count * RadiansPerDegree;
+    azimuths[static_cast<std::size_t>(k)] = 360.0 * k / count;
+  }
+  return azimuths;
+}
+
+/// The same in radians.
+inline std::vector<double> EvenAzimuths(int count)
+{
+  std::vector<double> azimuths = EvenDegrees(count);
+  for (double& azimuth : azimuths)
+  {
+    azimuth *= RadiansPerDegree;
   }
   return azimuths;
 }
