@@ -24,7 +24,7 @@ namespace
 // Radians clockwise from grid north, of a swath in degrees.
 std::vector<double> AzimuthsInside(double azimuth, double width, int count)
 {
-  const std::vector<double> azimuths = skyline::EvenAzimuths(count); // checks the count
+  std::vector<double> azimuths = skyline::EvenAzimuths(count); // checks the count
   if (!std::isfinite(azimuth))
   {
     throw std::invalid_argument("the swath's azimuth is no number; give degrees");

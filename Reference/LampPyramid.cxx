@@ -82,8 +82,7 @@ void FindLampHorizons(const HeightPyramid& pyramid, const PyramidSettings& setti
   std::ptrdiff_t rowEnd, float* slopes)
 {
   // In the order of distance.
-  std::vector<PyramidReach> reaches =
-    PyramidReaches(pyramid, settings, grid, azimuth);
+  std::vector<PyramidReach> reaches = PyramidReaches(pyramid, settings, grid, azimuth);
   std::reverse(reaches.begin(), reaches.end());
   const double lastColumn = static_cast<double>(grid.Columns - 1);
   const double lastRow = static_cast<double>(grid.Rows - 1);

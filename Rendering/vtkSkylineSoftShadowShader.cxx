@@ -196,7 +196,7 @@ std::string vtkSkylineSoftShadowShader::Internals::SendLight(
     }
     return reason;
   }
-  const std::string reason = this->SendHarmonics(
+  std::string reason = this->SendHarmonics(
     shader.Mode == TRANSFER ? shader.TransferArrayName : shader.VisibilityArrayName, window);
   if (!reason.empty() || shader.Mode == TRANSFER)
   {
