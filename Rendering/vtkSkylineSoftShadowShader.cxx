@@ -189,7 +189,7 @@ std::string vtkSkylineSoftShadowShader::Internals::SendLight(
   }
   if (shader.Mode == RECEIVER)
   {
-    const std::string reason = this->Receiver.Prepare(window, this->Image, this->Uploads);
+    std::string reason = this->Receiver.Prepare(window, this->Image, this->Uploads);
     if (reason.empty())
     {
       this->InUse.push_back(&this->Receiver.Texture);
