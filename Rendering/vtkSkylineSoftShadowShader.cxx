@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkylineSoftShadowShader.h"
 
-#include "PostTexture.h"
-#include "PostValues.h"
-#include "ReceiverLight.h"
 #include "ShaderText.h"
 #include "Shared/Constants.h"
 #include "SoftShadowText.h"
+#include "SoftShadowTextures.h"
 #include "SurfaceLight.h"
 #include "VertexRow.h"
 
@@ -25,7 +23,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <vector>
 
 vtkStandardNewMacro(vtkSkylineSoftShadowShader);
@@ -35,218 +32,31 @@ namespace
 
 constexpr std::size_t Lamps = 4;
 
-std::string Missing(vtkImageData* image, const std::string& name, const char* components)
-{
-  const bool bare = image->GetPointData()->GetNumberOfArrays() == 0;
-  return "the height field has no point array " + name + " of " + components + " components" +
-    (bare ? "; use the filter Irradiance, Transfer or Visibility to compute light" : "");
-}
-
-// Empty, or why nothing is lit.
-std::string Sent(bool sent)
-{
-  return sent ? "" : "OpenGL refuses the textures of the height field";
-}
-
 } // namespace
 
-struct vtkSkylineSoftShadowShader::Internals
+struct vtkSkylineSoftShadowShader::Internals : skyline::SoftShadowTextures
 {
-  vtkSmartPointer<vtkImageData> Image;
-  vtkSmartPointer<vtkAlgorithm> Producer;
-  vtkSmartPointer<vtkTextureObject> IrradianceTexture;
+  vtkSmartPointer<vtkAlgorithm> Producer; // of the height field; may be null
   int Port = 0;
   skyline::SurfaceLight Light{};
   std::array<skyline::LightColor, Lamps> LampRadiance{};
   std::vector<float> PackedLight; // empty if it has to be packed again
   vtkTimeStamp TextTime;
-
-  skyline::PostTexture Irradiance{ "skylineIrradiance" };
-  std::array<skyline::PostTexture, 4> Harmonics{ { skyline::PostTexture("skylineHarmonics0"),
-    skyline::PostTexture("skylineHarmonics1"), skyline::PostTexture("skylineHarmonics2"),
-    skyline::PostTexture("skylineHarmonics3") } };
-  skyline::PostTexture Gradient{ "skylineGradient" };
-  skyline::PostTexture LampLight{ "skylineLampTexture" };
-  skyline::ReceiverLight Receiver;
-  vtkNew<vtkMatrix4x4> Placement;
-  std::vector<skyline::PostTexture*> InUse; // by the last Prepare
-  int Uploads = 0;
   std::string Reported; // why the last Prepare failed
 
-  // The position of the image that the textures show.
-  skyline::VertexRow Across{};
-  skyline::VertexRow Up{};
-
-  // Rows of the matrix from positions to texture coordinates. Post i lies at the centre of texel i.
-  void Place()
+  // Updates the height field. Returns a reason as SoftShadowTextures does.
+  std::string UpdateImage(vtkOpenGLRenderWindow* window)
   {
-    const double(*index)[4] = this->Image->GetPhysicalToIndexMatrix()->Element;
-    const int* extent = this->Image->GetExtent();
-    const int* size = this->Image->GetDimensions();
-    for (std::size_t k = 0; k < 4; ++k)
+    if (this->Producer)
     {
-      const double shift = k == 3 ? 0.5 : 0.0;
-      const double first = k == 3 ? 1.0 : 0.0;
-      this->Across[k] = (index[0][k] - first * extent[0] + shift) / size[0];
-      this->Up[k] = (index[1][k] - first * extent[2] + shift) / size[1];
+      this->Producer->Update();
+      this->Image = vtkImageData::SafeDownCast(this->Producer->GetOutputDataObject(this->Port));
     }
+    return this->Image && this->Image->GetNumberOfPoints() > 0
+      ? this->CheckImage(window)
+      : "no height field to light the terrain: SetHeightField";
   }
-
-  // The same row for the mesh of an actor with a matrix.
-  skyline::VertexRow Placed(const skyline::VertexRow& row) const
-  {
-    skyline::VertexRow placed{};
-    for (int column = 0; column < 4; ++column)
-    {
-      for (int k = 0; k < 4; ++k)
-      {
-        placed[static_cast<std::size_t>(column)] +=
-          row[static_cast<std::size_t>(k)] * this->Placement->GetElement(k, column);
-      }
-    }
-    return placed;
-  }
-
-  bool Send(skyline::PostTexture& texture, vtkOpenGLRenderWindow* window, vtkDataArray* array,
-    int first, int count, bool half)
-  {
-    this->InUse.push_back(&texture);
-    if (!texture.IsStale(window, array, array->GetMTime()))
-    {
-      return true;
-    }
-    const int* size = this->Image->GetDimensions();
-    ++this->Uploads;
-    return texture.Upload(window, skyline::PostValues(array, first, count, size[0], size[1]),
-      size[0], size[1], count, half, array, array->GetMTime());
-  }
-
-  bool SendGradients(vtkOpenGLRenderWindow* window, vtkDataArray* heights)
-  {
-    this->InUse.push_back(&this->Gradient);
-    if (!this->Gradient.IsStale(window, heights, heights->GetMTime()))
-    {
-      return true;
-    }
-    const int* size = this->Image->GetDimensions();
-    ++this->Uploads;
-    return this->Gradient.Upload(window, skyline::PostGradients(this->Image, heights), size[0],
-      size[1], 2, false, heights, heights->GetMTime());
-  }
-
-  // A point array with a component count of that range, or null.
-  vtkDataArray* Find(const std::string& name, int least, int most) const
-  {
-    vtkDataArray* array = this->Image->GetPointData()->GetArray(name.c_str());
-    return array && array->GetNumberOfTuples() == this->Image->GetNumberOfPoints() &&
-        array->GetNumberOfComponents() >= least && array->GetNumberOfComponents() <= most
-      ? array
-      : nullptr;
-  }
-
-  std::string TakeField(vtkOpenGLRenderWindow* window);
-  std::string SendLight(const vtkSkylineSoftShadowShader& shader, vtkOpenGLRenderWindow* window);
-  std::string SendIrradiance(
-    const vtkSkylineSoftShadowShader& shader, vtkOpenGLRenderWindow* window);
-  std::string SendHarmonics(const std::string& name, vtkOpenGLRenderWindow* window);
 };
-
-// The height field as it is now; says why it cannot light the terrain.
-std::string vtkSkylineSoftShadowShader::Internals::TakeField(vtkOpenGLRenderWindow* window)
-{
-  if (this->Producer)
-  {
-    this->Producer->Update();
-    this->Image = vtkImageData::SafeDownCast(this->Producer->GetOutputDataObject(this->Port));
-  }
-  if (!this->Image || this->Image->GetNumberOfPoints() == 0)
-  {
-    return "no height field to light the terrain: SetHeightField";
-  }
-  const int* size = this->Image->GetDimensions();
-  const int limit = vtkTextureObject::GetMaximumTextureSize(window);
-  if (size[2] != 1)
-  {
-    return "the height field is no 2-D image";
-  }
-  if (size[0] > limit || size[1] > limit)
-  {
-    std::ostringstream text;
-    text << size[0] << " x " << size[1] << " posts exceed the largest texture of this OpenGL, "
-         << limit << " x " << limit << "; light a part or a coarser height field";
-    return text.str();
-  }
-  return {};
-}
-
-// What the mode reads, as textures; says why not.
-std::string vtkSkylineSoftShadowShader::Internals::SendLight(
-  const vtkSkylineSoftShadowShader& shader, vtkOpenGLRenderWindow* window)
-{
-  if (shader.Mode == IRRADIANCE)
-  {
-    return this->SendIrradiance(shader, window);
-  }
-  if (shader.Mode == RECEIVER)
-  {
-    std::string reason = this->Receiver.Prepare(window, this->Image, this->Uploads);
-    if (reason.empty())
-    {
-      this->InUse.push_back(&this->Receiver.Texture);
-    }
-    return reason;
-  }
-  std::string reason = this->SendHarmonics(
-    shader.Mode == TRANSFER ? shader.TransferArrayName : shader.VisibilityArrayName, window);
-  if (!reason.empty() || shader.Mode == TRANSFER)
-  {
-    return reason;
-  }
-  vtkDataArray* heights = this->Find(shader.ElevationArrayName, 1, 1);
-  heights = heights ? heights : this->Image->GetPointData()->GetScalars();
-  if (!heights || heights->GetNumberOfComponents() != 1)
-  {
-    return Missing(this->Image, shader.ElevationArrayName, "1");
-  }
-  return Sent(this->SendGradients(window, heights));
-}
-
-std::string vtkSkylineSoftShadowShader::Internals::SendIrradiance(
-  const vtkSkylineSoftShadowShader& shader, vtkOpenGLRenderWindow* window)
-{
-  if (!this->IrradianceTexture)
-  {
-    vtkDataArray* array = this->Find(shader.IrradianceArrayName, 3, 3);
-    return array ? Sent(this->Send(this->Irradiance, window, array, 0, 3, false))
-                 : Missing(this->Image, shader.IrradianceArrayName, "3");
-  }
-  if (this->IrradianceTexture->GetContext() != window || this->IrradianceTexture->GetHandle() == 0)
-  {
-    return "the irradiance texture is not one of this window's";
-  }
-  this->Irradiance.Borrow(this->IrradianceTexture);
-  this->InUse.push_back(&this->Irradiance);
-  return {};
-}
-
-std::string vtkSkylineSoftShadowShader::Internals::SendHarmonics(
-  const std::string& name, vtkOpenGLRenderWindow* window)
-{
-  constexpr int count = static_cast<int>(skyline::LightCoefficients);
-  vtkDataArray* array = this->Find(name, count, count);
-  if (!array)
-  {
-    return Missing(this->Image, name, "16");
-  }
-  bool sent = true;
-  for (int k = 0; k < 4; ++k)
-  {
-    sent =
-      this->Send(this->Harmonics[static_cast<std::size_t>(k)], window, array, 4 * k, 4, true) &&
-      sent;
-  }
-  return Sent(sent);
-}
 
 vtkSkylineSoftShadowShader::vtkSkylineSoftShadowShader()
   : Inside(std::make_unique<Internals>())
@@ -405,23 +215,36 @@ bool vtkSkylineSoftShadowShader::Prepare(vtkOpenGLRenderWindow* window)
   return reason.empty();
 }
 
-// Nothing, or why the terrain cannot be lit.
 std::string vtkSkylineSoftShadowShader::Upload(vtkOpenGLRenderWindow* window)
 {
   Internals& in = *this->Inside;
   in.InUse.clear();
-  std::string reason = in.TakeField(window);
-  if (reason.empty())
+  std::string reason = in.UpdateImage(window);
+  if (!reason.empty())
   {
-    in.Place();
-    reason = in.SendLight(*this, window);
+    return reason;
+  }
+  in.Place();
+  switch (this->Mode)
+  {
+    case IRRADIANCE:
+      reason = in.SendIrradiance(this->IrradianceArrayName, window);
+      break;
+    case TRANSFER:
+      reason = in.SendHarmonics(this->TransferArrayName, window);
+      break;
+    case VISIBILITY:
+      reason = in.SendHarmonics(this->VisibilityArrayName, window);
+      reason = reason.empty() ? in.SendGradients(this->ElevationArrayName, window) : reason;
+      break;
+    default:
+      reason = in.SendReceiver(window);
   }
   if (reason.empty() && this->HasLamps())
   {
     vtkDataArray* array = in.Find(this->LampArrayName, 1, static_cast<int>(Lamps));
-    reason = array
-      ? Sent(in.Send(in.LampLight, window, array, 0, array->GetNumberOfComponents(), false))
-      : Missing(this->Inside->Image, this->LampArrayName, "1 to 4");
+    reason = array ? in.Send(in.LampLight, window, array, 0, array->GetNumberOfComponents(), false)
+                   : in.Missing(this->LampArrayName, "1 to 4");
   }
   return reason;
 }

@@ -481,7 +481,7 @@ TEST_F(SoftShadowErrors, NoHeightField)
   vtkNew<vtkImageData> solid;
   solid->SetDimensions(3, 3, 3);
   this->Shader()->SetHeightField(solid);
-  this->ExpectRefused("no 2-D image");
+  this->ExpectRefused("not a 2-D image");
 }
 
 TEST_F(SoftShadowErrors, BeyondTheLargestTexture)
