@@ -108,7 +108,7 @@ void DoubtDirection(GDALRasterBand& band, const CoordinateSystem& crs, double sc
   const bool depth = standard.find("depth") != std::string::npos;
   if (scale > 0.0 && (down || depth || crs.CountsDepths()))
   {
-    doubts.push_back({ std::string(down ? "the metadata"
+    doubts.push_back({ std::string(down ? "the item 'positive'"
                            : depth      ? "the standard name"
                                         : "the CRS") +
         " of '" + file + "' says that its values are depths",

@@ -339,7 +339,7 @@ TEST(ReaderDoubts, MetadataOfTheBand)
     GDALClose(raster);
     return file;
   };
-  Expect(WarningsOf(withItem("positive", "down")), "the metadata of");
+  Expect(WarningsOf(withItem("positive", "down")), "the item 'positive' of");
   Expect(WarningsOf(withItem("standard_name", "sea_floor_depth_below_geoid")), "the standard name");
   vtkNew<vtkHeightFieldReader> reader;
   reader->SetFileName(withItem("units", "feet").c_str());
