@@ -27,7 +27,7 @@ std::vector<double> AzimuthsInside(double azimuth, double width, int count)
   const std::vector<double> azimuths = skyline::EvenAzimuths(count); // checks the count
   if (!std::isfinite(azimuth))
   {
-    throw std::invalid_argument("the azimuth of the swath is not a finite number; give degrees");
+    throw std::invalid_argument("the swath's azimuth is not a finite number; give degrees");
   }
   if (!(width > 0.0 && width <= 360.0))
   {

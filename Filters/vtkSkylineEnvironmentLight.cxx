@@ -150,8 +150,7 @@ skyline::TurnedLightMap vtkSkylineEnvironmentLight::GetLightMap()
   {
     if (!(factor >= 0.0 && std::isfinite(factor)))
     {
-      throw std::invalid_argument(
-        "the radiance of an environment is negative or not a finite number");
+      throw std::invalid_argument("an environment's radiance is below 0 or not finite");
     }
   }
   if (this->PixelTime < this->GetMTime())

@@ -84,7 +84,7 @@ struct IrradianceCommand
     if (this->Kind() == skyline::SkyKind::Formula && !this->Lights.Sun.Asked())
     {
       skyline::PrintWarning(skyline::Doubt{ "the sky " + this->Lights.Sky->Text +
-                                " is brighter about the sun, and no sun is given",
+                                " is brighter around the sun, and no sun is given",
                               "its sun at azimuth 315, elevation 45", "--sun AZ,EL" },
         this->Talk);
     }
