@@ -301,7 +301,7 @@ def _grid(
     if grid.shape[:2] != (rows, columns):
         raise ValueError(
             f"values has the shape {grid.shape}, but its place has {rows} rows and {columns} "
-            "columns; give an array with as many")
+            "columns; give an array with the same posts")
     image = vtkImageData()
     image.CopyStructure(place)
     image.GetFieldData().ShallowCopy(place.GetFieldData())
