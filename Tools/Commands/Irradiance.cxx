@@ -38,7 +38,7 @@ struct IrradianceCommand
   bool Horizontal = false;
   skyline::Talk Talk;
 
-  // The sky that shines; a uniform one where the user asked for no light.
+  // The type of the sky; a uniform one if the user wants no light.
   skyline::SkyKind Kind() const
   {
     const bool others = this->Lights.Sun.Asked() || !this->Lights.Lamps.empty();

@@ -26,7 +26,7 @@ const Limits RadiusLimits{ "0 to less than 90 degrees", 0.0, 90.0, false, true }
 const Limits AnyAngle{ "an angle in degrees", -std::numeric_limits<double>::max(),
   std::numeric_limits<double>::max() };
 
-// The numbers of a list; throws std::invalid_argument with the reason and the cure.
+// Parses a list of numbers. Throws std::invalid_argument with the reason and the fix.
 std::vector<double> ParseNumbers(const std::string& text, const std::string& cure)
 {
   const auto numbers = ReadNumbers(text);
