@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Evenly spread azimuths.
+// Evenly spaced azimuths.
 #ifndef skyline_Azimuths_h
 #define skyline_Azimuths_h
 
@@ -13,9 +13,10 @@
 namespace skyline
 {
 
-constexpr int MaximumAzimuths = 3600; ///< a tenth of a degree: finer than any raster resolves
+constexpr int MaximumAzimuths = 3600; ///< one per tenth of a degree: finer than any raster resolves
 
-/// 360 k / count degrees, k = 0 .. count - 1. std::invalid_argument unless 1 <= count <= 3600.
+/// Returns 360 k / count degrees, k = 0 .. count - 1. Throws std::invalid_argument unless count is
+/// 1 to 3600.
 inline std::vector<double> EvenDegrees(int count)
 {
   if (count < 1 || count > MaximumAzimuths)

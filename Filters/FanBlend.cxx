@@ -16,12 +16,12 @@ namespace skyline
 namespace
 {
 
-// Tiles are halved until they span no more than this many steps from ray to ray each way, or are this
-// small.
+// Tiles are halved until they span at most this many steps from ray to ray, both in direction and
+// in length, or until they have this size.
 constexpr std::size_t StepsPerTile = 4;
 constexpr std::ptrdiff_t SmallestRows = 16, SmallestColumns = 32;
 
-// Nearness of a place to a ray: 1 on it, 0 at its neighbours.
+// Weight of a ray: 1 if `place` is on the ray, 0 at the neighbouring rays.
 float Nearness(float place, std::size_t ray)
 {
   return std::max(0.0f, 1.0f - std::abs(place - static_cast<float>(ray)));
@@ -59,7 +59,7 @@ void FanBlend::Begin(const RayFan& fan)
 
 void FanBlend::Divide(const PostRegion& posts)
 {
-  // The places of the edges and of a row in the middle hold those of all posts, but for a little.
+  // The places of the edges and of the middle row contain those of all posts, up to a small slack.
   float least[2] = { 1e9f, 1e9f }, greatest[2] = { -1e9f, -1e9f };
   const std::ptrdiff_t count = posts.ColumnEnd - posts.ColumnBegin;
   std::vector<float> places(static_cast<std::size_t>(2 * count));
@@ -171,7 +171,7 @@ void FanBlend::Add(const HorizonMethod& method)
       {
         const float weight =
           Nearness(directions[i], this->Direction) * Nearness(lengths[i], this->Length);
-        // Where one of two rays meets no terrain, the other speaks for both.
+        // Where one of two rays meets no terrain, the slope of the other is used for both.
         const bool counts = weight > 0.0f && slopes[i] > NoTerrainSlope;
         sum[i] += counts ? weight * slopes[i] : 0.0f;
         known[i] += counts ? weight : 0.0f;

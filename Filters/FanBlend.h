@@ -16,37 +16,38 @@ namespace skyline
 
 class Accumulator;
 
-/// A rectangle of posts, and which directions and lengths of a fan it uses.
+/// A rectangle of posts, and the range of directions and lengths of a fan that it uses.
 struct FanTile
 {
   PostRegion Posts;
   std::size_t FirstDirection, LastDirection, FirstLength, LastLength;
 };
 
-/// Blends the searches of a fan: at every post those of the neighbouring rays, each in proportion to its
-/// nearness, with slopes brought to the post's own length.
+/// Blends the searches of a fan: the slope of each post is that of the neighbouring rays, weighted
+/// by their nearness and converted to the length that a step has at the post.
 class FanBlend
 {
 public:
   explicit FanBlend(const GroundMetric& metric);
 
-  /// The next azimuth. The fan must outlive it.
+  /// Starts the next azimuth. The fan must outlive it.
   void Begin(const RayFan& fan);
 
-  /// The posts that need direction i with length j; false if there are none.
+  /// Finds the posts that need direction i with length j. Returns false if there are none.
   bool Asks(std::size_t direction, std::size_t length, PostRegion& posts);
 
-  /// Finds their slopes with the method, which is prepared for them, and takes its part.
+  /// Finds the slopes of these posts with the method, which must be prepared, and adds them by
+  /// weight.
   void Add(const HorizonMethod& method);
 
-  /// Hands the azimuth's slopes on.
+  /// Passes the slopes of the azimuth to the consumer.
   void End(Accumulator& consumer);
 
-  /// Brings slopes of posts of a row to their own length.
+  /// Converts slopes of posts in a row to the length of a step at each post.
   static void Lengthen(const GroundMetric& metric, const RayFrame& frame, std::ptrdiff_t row,
     std::ptrdiff_t column, std::ptrdiff_t count, float* slopes);
 
-  /// Floats a post that it needs.
+  /// Floats per post that this class needs.
   static constexpr std::ptrdiff_t Floats = 2;
 
 private:
@@ -57,7 +58,7 @@ private:
   std::vector<FanTile> Tiles;
   std::size_t Direction = 0, Length = 0;
   std::vector<PostRegion> Asked;
-  std::unique_ptr<float[]> Sums, Known; ///< of slopes by weight, and of the weights with terrain
+  std::unique_ptr<float[]> Sums, Known; ///< of weighted slopes, and of weights with terrain
 };
 
 } // namespace skyline

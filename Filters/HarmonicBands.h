@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The orders of spherical harmonics that filters take.
+// The numbers of bands of spherical harmonics that filters accept.
 #ifndef skyline_HarmonicBands_h
 #define skyline_HarmonicBands_h
 
@@ -11,9 +11,9 @@
 namespace skyline
 {
 
-constexpr int LeastHarmonicBands = 2; ///< fewer hold no direction
+constexpr int LeastHarmonicBands = 2; ///< fewer bands have no direction
 
-/// std::invalid_argument unless there are 2 to 8 bands.
+/// Throws std::invalid_argument unless there are 2 to 8 bands.
 inline void CheckHarmonicBands(int bands)
 {
   if (bands < LeastHarmonicBands || bands > MaxHarmonicBands)

@@ -17,8 +17,8 @@ namespace
 
 constexpr double LeastRadius = 0.01 * RadiansPerDegree;
 
-/// From the projection over the upper hemisphere to the series that is closest there. The mean, which
-/// every series holds, goes beside the fit, so that an even sky stays what it is to rounding.
+/// Turns the projection over the upper hemisphere into the series that is closest there. The mean
+/// is left out of the fit and added afterwards, so that a uniform sky stays uniform to rounding.
 void FitSky(int bands, std::vector<double>& coefficients)
 {
   const double mean = coefficients[0] / HemisphereZonal(0);
@@ -41,8 +41,9 @@ HarmonicLight::HarmonicLight(int bands)
 void HarmonicLight::Add(const TurnedLightMap& light)
 {
   const auto count = static_cast<std::size_t>(HarmonicCount(this->Bands));
-  // What shines from below the horizon is never seen, so the series is free there: that of the map's
-  // upper half alone, closest to it above the horizon, has no edge to ring along.
+  // Light from below the horizon is never seen, so the series may have any values there. Only the
+  // upper half of the map is fitted; thus there is no edge at the horizon at which the series would
+  // oscillate.
   std::vector<double> upper(3 * count, 0.0);
   const std::ptrdiff_t columns = light.Map.Columns, rows = light.Map.Rows;
   if (rows % 2 == 0)
@@ -51,7 +52,7 @@ void HarmonicLight::Add(const TurnedLightMap& light)
   }
   else
   {
-    std::vector<float> twice; // each row in two, so that the horizon lies between rows
+    std::vector<float> twice; // each row twice, so that the horizon lies between rows
     for (std::ptrdiff_t row = 0; row < 2 * rows; ++row)
     {
       const float* pixels = light.Map.Pixel(row / 2, 0);
@@ -111,7 +112,7 @@ void HarmonicLight::Light(
       {
         sums[c] += values[i] * coefficients[i];
       }
-      rgb[3 * post + c] += sums[c] < 0.0f ? 0.0f : sums[c]; // the series rings; NaN passes
+      rgb[3 * post + c] += sums[c] < 0.0f ? 0.0f : sums[c]; // oscillation may go below 0; NaN stays
     }
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Distant lights as spherical harmonics, and their product with the transfer of every post.
+// Distant lights as spherical harmonics, and their product with the transfer of each post.
 #ifndef skyline_HarmonicLight_h
 #define skyline_HarmonicLight_h
 
@@ -12,7 +12,7 @@
 namespace skyline
 {
 
-/// The sum of lights: bands^2 coefficients of red, then of green, then of blue.
+/// The sum of several lights: bands^2 coefficients of red, then of green, then of blue.
 class SKYLINEFILTERS_EXPORT HarmonicLight
 {
 public:
@@ -20,10 +20,10 @@ public:
   explicit HarmonicLight(int bands);
 
   void Add(const TurnedLightMap& light);
-  void Add(const SkyDisc& disc); ///< a point counts as a disc of a hundredth of a degree
+  void Add(const SkyDisc& disc); ///< a point counts as a disc with a radius of 0.01 degrees
 
-  /// Adds the light to `posts` posts: the dot products of their transfer (bands^2 floats each) with
-  /// the coefficients, nothing below 0.
+  /// Adds the light to the posts [begin, end): the dot products of their transfer (bands^2 floats
+  /// each) with the coefficients. Negative products count as 0.
   void Light(const float* transfer, std::ptrdiff_t begin, std::ptrdiff_t end, float* rgb) const;
 
   const std::vector<double>& GetCoefficients() const { return this->Coefficients; }

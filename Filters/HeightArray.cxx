@@ -34,12 +34,12 @@ void CheckHeights(vtkImageData* image, vtkDataArray* heights)
   if (heights == nullptr || heights->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
     throw std::invalid_argument(
-      "the input has no heights: name its point array by SetInputArrayToProcess");
+      "the input has no heights: choose its array by SetInputArrayToProcess");
   }
   if (heights->GetNumberOfComponents() != 1)
   {
     throw std::invalid_argument("the heights have " +
-      std::to_string(heights->GetNumberOfComponents()) + " components; give one a post");
+      std::to_string(heights->GetNumberOfComponents()) + " components; give one per post");
   }
 }
 

@@ -13,7 +13,7 @@ namespace skyline
 namespace
 {
 
-// Turns a sum and what is added to it into the next sum, all bits into all bits.
+// Mixes a value into a sum, so that each bit affects all bits.
 std::uint64_t Mixed(std::uint64_t sum, std::uint64_t value)
 {
   constexpr std::uint64_t odd = 0x9e3779b97f4a7c15; // 2^64 over the golden ratio

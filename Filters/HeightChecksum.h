@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A number that names the heights of a field.
+// A checksum of the heights of a field.
 #ifndef skyline_HeightChecksum_h
 #define skyline_HeightChecksum_h
 
@@ -10,8 +10,8 @@ namespace skyline
 
 class HeightField;
 
-/// Names the heights, missing posts included: other heights give another number. Never 0. Runs in threads;
-/// the result does not depend on their number.
+/// Returns a checksum of all heights, missing posts included; different heights give different
+/// checksums. It is never 0. It is computed in threads; the result does not depend on their number.
 std::uint64_t HeightChecksum(const HeightField& field);
 
 } // namespace skyline

@@ -13,7 +13,7 @@ namespace skyline
 namespace
 {
 
-/// Copies slopes, azimuth by azimuth.
+/// Stores the slopes of each azimuth.
 class SlopeStore : public Accumulator
 {
 public:
@@ -80,7 +80,7 @@ bool HorizonCache::Run(
   SlopeStore store(driver.Input().Posts(), planes);
   if (!missing.empty() && !driver.Run(missing, width, store))
   {
-    this->Slopes.clear(); // the last planes are half empty
+    this->Slopes.clear(); // the last planes are incomplete
     return false;
   }
   this->Searched += static_cast<int>(missing.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Horizons kept between executions, so that changed light needs no new ones.
+// Keeps horizons between executions, so that changed lights need no new search.
 #ifndef skyline_HorizonCache_h
 #define skyline_HorizonCache_h
 
@@ -12,8 +12,8 @@ namespace skyline
 class Accumulator;
 class HorizonDriver;
 
-/// Runs consumers over azimuths. If it keeps horizons, only azimuths that it has not met are searched;
-/// a kept azimuth costs a float a post.
+/// Runs consumers over azimuths. With Keep, only azimuths that were not searched before are
+/// searched; each azimuth that is kept takes one float per post.
 class HorizonCache
 {
 public:
@@ -22,10 +22,11 @@ public:
   /// Azimuths searched by Run since this was last set to 0.
   int Searched = 0;
 
-  /// Forgets all horizons unless they belong to the same surface: any numbers that name it.
+  /// Discards all horizons unless `key` is the same as before. The key is any list of numbers that
+  /// identifies the surface.
   void SetSurface(const std::vector<double>& key);
 
-  /// As HorizonDriver::Run.
+  /// The same as HorizonDriver::Run, with the horizons that are kept.
   bool Run(HorizonDriver& driver, const std::vector<double>& azimuths, double width,
     Accumulator& consumer);
 

@@ -24,7 +24,7 @@ double Now()
   return std::chrono::duration<double>(now).count();
 }
 
-// Adds the seconds of its life to a sum.
+// Adds the seconds of its lifetime to a sum.
 class Timer
 {
 public:
@@ -183,7 +183,7 @@ void HorizonDriver::Prepare(
   const Timer timer(this->PrepareSeconds);
   if (RayFrame::TakesColumns(grid, azimuth))
   {
-    this->Surface.Transpose(); // the first time; a sun in the north or south needs none
+    this->Surface.Transpose(); // done once; a sun in the north or south does not need it
   }
   method.SetAzimuth(grid, azimuth);
   AskFor(method, region);
@@ -228,7 +228,7 @@ void HorizonDriver::DoubtOneMetric(const std::string& what, const PostMetric& us
 bool HorizonDriver::TakesColumns(const std::vector<double>& azimuths) const
 {
   Grid grid = this->Surface.Posts();
-  // Whatever the azimuths' axes: near the diagonal one more plane is asked for than may be needed.
+  // This holds for both types of azimuth axes: near the diagonal it may count one plane too many.
   const double slack = this->Surface.Ground().Uniform() ? 1.0 : 2.0;
   const auto& bands = this->Surface.Bands();
   return std::any_of(bands.begin(), bands.end(),
@@ -250,7 +250,8 @@ void HorizonDriver::DemandFloats(
   if (this->Settings.Method == HorizonMethodKind::Pyramid &&
     !(this->Pyramids && !this->Pyramids->Empty()))
   {
-    // Each level is 1 / b of the one below in rows, and of its own samples 1 / b^2 (HeightPyramid.h).
+    // Each level has 1 / b of the rows of the level below, and 1 / b^2 of its samples
+    // (HeightPyramid.h).
     const double ratio = std::exp2(-1.0 / this->Settings.Pyramid.LevelStep);
     const double copies = 1.0 / (1.0 - ratio) + 1.0 / (1.0 - ratio * ratio);
     all += copies * (this->Surface.Field().HasMissing() ? 2.0 : 1.0);

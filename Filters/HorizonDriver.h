@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The loop over azimuths: it finds the horizons of a height field and feeds them to what consumes them.
+// The loop over azimuths: finds the horizons of a height field and passes them to a consumer.
 #ifndef skyline_HorizonDriver_h
 #define skyline_HorizonDriver_h
 
@@ -20,21 +20,23 @@ namespace skyline
 class PyramidCache;
 class RayFan;
 
-/// How the azimuths of a run count, clockwise from the image's +y axis: on the ground, as sums over the
-/// sky need them, or on the image (Georeference::GridAzimuthAt), as the arrays of horizons have them.
+/// How the azimuths of a run are counted, clockwise from the +y axis of the image: on the ground,
+/// as sums over the sky need them, or on the image (Georeference::GridAzimuthAt), as arrays of
+/// horizons have them.
 enum class AzimuthAxes
 {
   Ground,
   Image
 };
 
-/// Azimuths are radians. Nothing here depends on the number of threads.
+/// Finds horizons for a list of azimuths, in radians. Results do not depend on the number of
+/// threads.
 class SKYLINEFILTERS_EXPORT HorizonDriver
 {
 public:
-  /// settings: how horizons are found; Sink belongs to the input (HorizonInput::Sink). pyramids: keeps
-  /// the pyramid of the method of that name; null: one is built for each run. Input and pyramids must
-  /// outlive the driver.
+  /// `settings` says how horizons are found; its Sink is replaced by that of the input
+  /// (HorizonInput::Sink). `pyramids` keeps the pyramid of the method Pyramid; null: one is built
+  /// for each run. `input` and `pyramids` must outlive the driver.
   HorizonDriver(
     HorizonInput& input, const HorizonSettings& settings, PyramidCache* pyramids = nullptr);
 
@@ -42,33 +44,34 @@ public:
   const HorizonInput& Input() const { return this->Surface; }
   const HorizonSettings& UsedSettings() const { return this->Settings; }
 
-  /// Told the part done, 0 to 1; returns false to stop.
+  /// Called with the part done, 0 to 1. Returns false to stop.
   std::function<bool(double)> Progress;
 
-  /// Feeds the consumer every azimuth, each standing for `width` radians. On a distorted map exact and
-  /// fast take the metric of every post (GroundMetric.h), the others that of the centre, or of bands of
-  /// rows. False if stopped.
+  /// Passes each azimuth to the consumer; each stands for `width` radians. On a distorted map, the
+  /// methods exact and fast use the metric of each post (GroundMetric.h); the others use that of
+  /// the centre, or those of bands of rows. Returns false if stopped.
   bool Run(const std::vector<double>& azimuths, double width, Accumulator& consumer,
     AzimuthAxes axes = AzimuthAxes::Ground);
 
-  /// The same with a method over Input().Field() other than that of the settings, which has one metric or
-  /// that of bands of rows.
+  /// The same with another method over Input().Field() than that of the settings. The method has
+  /// one metric, or those of bands of rows.
   bool Run(HorizonMethod& method, const std::vector<double>& azimuths, double width,
     Accumulator& consumer, AzimuthAxes axes = AzimuthAxes::Ground);
 
-  /// std::runtime_error if the machine has no memory for what a filter is about to allocate: `floats`
-  /// a post, and the columns that azimuths need. what: the subject of its sentence.
+  /// Throws std::runtime_error if the machine lacks the memory that a filter is about to allocate:
+  /// `floats` per post, and the transposed heights if the azimuths need them. `what` is the subject
+  /// of the error message.
   void DemandFloats(
     const char* what, std::ptrdiff_t floats, const std::vector<double>& azimuths) const;
 
-  /// Doubts to be raised when the filter is done, each of them once.
+  /// The warnings to raise when the filter has finished, each of them once.
   const std::vector<Doubt>& Doubts() const { return this->Found; }
   void AddDoubt(const Doubt& doubt);
 
-  /// Adds HorizonInput::OneMetricDoubt, if there is one.
+  /// Adds the warning of HorizonInput::OneMetricDoubt, if there is one.
   void DoubtOneMetric(const std::string& what, const PostMetric& used);
 
-  double PrepareSeconds = 0.0, SearchSeconds = 0.0; ///< of all runs
+  double PrepareSeconds = 0.0, SearchSeconds = 0.0; ///< totals of all runs
   int PyramidBuilds = 0;
 
 private:

@@ -28,21 +28,21 @@ namespace skyline
 namespace
 {
 
-// What straight rays may be wrong by at their far end without a warning: terrain that shapes a horizon is
-// seldom further away. Rasters in degrees stay within both up to 80 degrees of latitude.
+// Errors of straight rays at their far end that need no warning, since terrain that forms a horizon
+// is seldom further away. Rasters in degrees stay below both limits up to 80 degrees of latitude.
 constexpr double BendingReach = 20000.0; // metres
 constexpr double BendingDistance = 0.005;
 constexpr double BendingAzimuth = 0.6; // degrees
 
 const char* const WarpCure = "a raster warped to a local map such as UTM (gdalwarp -t_srs)";
 
-// A height, or NaN where a number is none.
+// The height, or NaN if it is missing.
 double Known(double height)
 {
   return std::abs(height) <= GreatestHeight ? height : std::numeric_limits<double>::quiet_NaN();
 }
 
-// Calls f(height) with a height(column, row) that reads the array in its own type.
+// Calls f(height), where height(column, row) reads the array in its own type.
 template <typename Function>
 void WithHeights(vtkDataArray* array, std::ptrdiff_t columns, Function&& function)
 {
@@ -71,7 +71,7 @@ void CheckImage(vtkImageData* image)
     throw std::invalid_argument(
       "the height field's axes are turned; give an image whose x points east and y north");
   }
-  // The plane of rows, and the bounds of one azimuth: two floats for 16 lines, and for 8 times 16.
+  // The heights, and the bounds of one azimuth: two floats per 16 lines, and per 8 times 16 lines.
   constexpr double bytes = sizeof(float) * (1.0 + 2.0 * (1.0 + 1.0 / 8.0) / 16.0);
   DemandMemory("the heights", dimensions[0], dimensions[1], bytes);
 }
@@ -87,7 +87,7 @@ PostSpacing SpacingOf(vtkImageData* image)
   return { image->GetSpacing()[0], image->GetSpacing()[1] };
 }
 
-// With the lengths of the centre.
+// The grid with the lengths at the centre.
 Grid GridOf(vtkImageData* image, const GroundMetric& metric)
 {
   const PostSpacing spacing = SpacingOf(image);
@@ -99,7 +99,7 @@ Grid GridOf(vtkImageData* image, const GroundMetric& metric)
   return grid;
 }
 
-// Two digits.
+// The number with two significant digits.
 std::string ShortText(double number)
 {
   char text[32];
@@ -225,7 +225,7 @@ std::optional<Doubt> HorizonInput::OneMetricDoubt(
 {
   if (this->Metric.Uniform() || this->Metric.ByRows())
   {
-    return std::nullopt; // bands of rows follow
+    return std::nullopt; // the method uses bands of rows
   }
   const MetricError error = this->Metric.WorstError(used);
   if (error.Distance <= DistanceTolerance && error.Azimuth <= AzimuthTolerance * RadiansPerDegree)

@@ -24,48 +24,49 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// The posts with the lengths of another place of the raster.
+/// The same posts with the lengths of another place of the raster.
 SKYLINEFILTERS_EXPORT Grid WithSpacing(Grid posts, const PostMetric& metric);
 SKYLINEFILTERS_EXPORT Grid WithSpacing(Grid posts, const RowBand& band);
 
-/// Heights, place and lengths of a raster, ready for the methods that find horizons.
+/// The heights, the place and the lengths of a raster, ready for the methods that find horizons.
 class SKYLINEFILTERS_EXPORT HorizonInput
 {
 public:
-  /// Throws std::invalid_argument with a one-line reason if the image carries no surface, and
-  /// std::runtime_error if there is no memory for its heights. Image and heights must outlive it.
+  /// Throws std::invalid_argument, with a reason of one line, if the image has no surface, and
+  /// std::runtime_error if there is not enough memory for its heights. Image and heights must
+  /// outlive this.
   HorizonInput(vtkImageData* image, vtkDataArray* heights);
 
-  /// The prepared heights, metres above BaseHeight.
+  /// The prepared heights, in metres above BaseHeight.
   const HeightField& Field() const { return this->Heights; }
   const Grid& Posts() const { return this->Heights.Posts(); }
-  double BaseHeight() const { return this->Base; } ///< metres: BaseHeight.h
+  double BaseHeight() const { return this->Base; } ///< in metres; see BaseHeight.h
 
   /// Prepares the field for rays that run along its rows.
   void Transpose() { this->Heights.Transpose(); }
 
-  /// Names the heights (HeightChecksum). Computed when it is first asked for.
+  /// Returns the checksum of the heights (HeightChecksum). It is computed at the first call.
   std::uint64_t Checksum();
 
   const Georeference& Place() const { return this->Where; }
 
-  /// Lengths and angles of the posts, that of the posts in the middle, and bands of rows that have one
-  /// spacing each.
+  /// Lengths and angles at each post, those in the middle, and bands of rows with one spacing each.
   const GroundMetric& Ground() const { return this->Metric; }
   PostMetric CentreMetric() const;
   const std::vector<RowBand>& Bands() const { return this->RowsOfOneSpacing; }
 
-  /// (1 - refraction) / 2R in the middle of the raster, 1/m: how a post sinks with its distance squared. 0
-  /// without a body. Refraction counts on the Earth alone.
+  /// Returns (1 - refraction) / 2R in the middle of the raster, in 1/m: terrain appears lower by
+  /// this times the square of its distance. 0 without a body. Refraction is used on the Earth only.
   double Sink(double refraction) const;
 
-  /// dz/dx and dz/dy of every post on the ground, row by row.
+  /// Writes dz/dx and dz/dy on the ground for each post, row by row.
   void FillGradients(float* east, float* north) const;
 
-  /// Says if rays bend on the map by more than can be passed over.
+  /// Returns a warning if rays bend on the map more than can be ignored.
   std::optional<Doubt> BendingDoubt() const;
 
-  /// Says if `what` takes the metric `used` everywhere and the raster needs more than that.
+  /// Returns a warning if `what` uses the metric `used` everywhere and the raster needs more than
+  /// one.
   std::optional<Doubt> OneMetricDoubt(const std::string& what, const PostMetric& used) const;
 
 private:
@@ -75,7 +76,7 @@ private:
   HeightField Heights;
   std::vector<RowBand> RowsOfOneSpacing;
   double Base = 0.0;
-  std::uint64_t Sum = 0; ///< 0: not yet computed
+  std::uint64_t Sum = 0; ///< 0: not computed yet
 };
 
 } // namespace skyline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lamps whose place was probably given in another CRS than that of the height field.
+// Finds lamps whose position was probably given in another CRS than that of the height field.
 #ifndef skyline_LampReach_h
 #define skyline_LampReach_h
 
@@ -11,21 +11,22 @@
 namespace skyline
 {
 
-/// A lamp stands on the map, metres.
+/// The position of a lamp on the map, in metres.
 struct LampPlace
 {
-  double X = 0.0, Y = 0.0; ///< as the field's bounds
+  double X = 0.0, Y = 0.0; ///< in the coordinates of the bounds of the field
   double Radius = 0.0;     ///< 0 or more
 };
 
-/// What is doubtful about a lamp that stands beside the field and cannot light it: further away than the
-/// field is wide, with less than LeastLampShare of the light that it gives on its own surface.
-/// `number`: of the lamp, from 1, for the message; `bounds`: west, east, south, north, metres.
+/// Returns a warning if a lamp stands outside the field and cannot light it: it is further away
+/// than the field is wide, and the irradiance at the field is less than LeastLampShare of that on
+/// its own surface. `number` is that of the lamp in the message, counted from 1. `bounds` are west,
+/// east, south and north, in metres.
 std::optional<Doubt> FarLamp(
   int number, const LampPlace& lamp, const std::array<double, 4>& bounds);
 
-/// The irradiance of a ball falls with (radius / distance)^2. Below a millionth, a lamp beside the field
-/// is no more than rounding in a float's sum with any other light.
+/// The irradiance of a ball falls with (radius / distance)^2. Below a millionth, a lamp outside the
+/// field is lost in the rounding of a float sum with any other light.
 constexpr double LeastLampShare = 1e-6;
 
 } // namespace skyline

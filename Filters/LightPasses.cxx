@@ -23,7 +23,7 @@ namespace skyline
 namespace
 {
 
-/// Rows that one thread takes at a time, between two looks at the abort flag.
+/// Rows that one thread takes between two checks of the abort flag.
 constexpr std::ptrdiff_t RowsPerStrip = 64;
 
 std::string Text(double number)
@@ -50,17 +50,17 @@ void CheckColor(const char* light, const double* color)
   }
 }
 
-/// The part of a disc's area above a plane that its centre stands over by the angle with the given
-/// sine, in units of the disc's radius.
+/// The part of the area of a disc that lies above a plane. The centre stands above the plane by the
+/// angle whose sine is `height` times that of the radius of the disc.
 double PartAbove(double height)
 {
   const double x = std::clamp(height, -1.0, 1.0);
   return 0.5 + (std::asin(x) + x * std::sqrt((1.0 - x) * (1.0 + x))) / Pi;
 }
 
-/// Adds the light of a disc whose lit part is known to every post; directions(row, x, y, z, left)
-/// writes unit vectors to its centre for a row of posts, and the share of its light that shines, where
-/// that is not 1.
+/// Adds the light of a disc, of which the lit part is known for each post. directions(row, x, y, z,
+/// left) writes unit vectors to its centre for a row of posts; into `left` it writes the share of
+/// its light that shines, if that is not 1.
 template <typename Directions>
 void AddLitDisc(const Grid& grid, const LitPosts& posts, const float* lit, double radius,
   const std::array<double, 3>& irradiance, const Directions& directions)
@@ -88,8 +88,9 @@ void AddLitDisc(const Grid& grid, const LitPosts& posts, const float* lit, doubl
           double light = 0.0;
           if (radius > 0.0)
           {
-            // What the horizon leaves may lie above the plane or not. Where both cut the disc they
-            // mostly are the same ground, so only a shadow beyond the plane's own counts.
+            // The part above the horizon may lie above the plane of the post or below it. Where
+            // both cut the disc, they are mostly the same ground, so only the shadow beyond that of
+            // the plane counts.
             const double above = PartAbove(cosine / disc.Sine);
             const double part = above > 0.0 ? std::min(1.0, lit[post] / above) : 0.0;
             light = left[column] * part * DiscIrradiance(disc, cosine) / facing;
@@ -188,7 +189,7 @@ SkyDisc DiscOf(vtkSkylineKeyLight* light)
 
 std::vector<float> DrawDisc(const SkyDisc& disc, int& columns, int& rows)
 {
-  constexpr int Inside = 4; // places each way that tell how much of a pixel lies inside
+  constexpr int Inside = 4; // samples per side that tell how much of a pixel is inside
   rows = 2 * static_cast<int>(std::ceil(0.5 * Pi / (disc.Radius / 16.0)));
   rows = std::max(rows, 180);
   columns = 2 * rows;
@@ -236,7 +237,7 @@ bool AddDisc(HorizonDriver& driver, HorizonCache& cache, const SkyDisc& disc, co
 {
   if (disc.Elevation + disc.Radius <= 0.0)
   {
-    return true; // set: no light, no horizons
+    return true; // below the horizon: no light, no search
   }
   const SunField field = SunField::OnImage(driver.Input().Place(), disc.Azimuth * DegreesPerRadian,
     disc.Elevation * DegreesPerRadian, disc.Radius * DegreesPerRadian);
@@ -288,7 +289,7 @@ bool AddSun(HorizonDriver& driver, HorizonCache& cache, const SunField& sun,
   sun.ElevationBounds(least, greatest);
   if (greatest * RadiansPerDegree + disc.Radius <= 0.0)
   {
-    return true; // set over all posts
+    return true; // below the horizon for all posts
   }
   const std::vector<double> azimuths = SunAzimuths(first * RadiansPerDegree,
     last * RadiansPerDegree, least * RadiansPerDegree, greatest * RadiansPerDegree, disc.Radius);
@@ -328,7 +329,7 @@ bool AddLamp(
   const Grid& posted = driver.Input().Posts();
   const double column = (light->GetPosition()[0] - image.Origin[0]) / image.Spacing[0];
   const double row = (light->GetPosition()[1] - image.Origin[1]) / image.Spacing[1];
-  // Lamps know no shear: the steps of the centre at right angles.
+  // Lamps ignore shear: they use the steps at the centre, at right angles.
   driver.DoubtOneMetric("lamps", { posted.SpacingX, 0.0, posted.SpacingY });
   const double rows = static_cast<double>(posted.Rows);
   for (const RowBand& band : driver.Input().Bands())
@@ -343,7 +344,7 @@ bool AddLamp(
     {
       lamp.Radiance[c] = static_cast<float>(light->GetRadiance()[c]);
     }
-    CheckLamp(lamp); // here, not in a thread
+    CheckLamp(lamp); // not in a thread, where exceptions must not be thrown
     for (std::ptrdiff_t begin = band.RowBegin; begin < band.RowEnd; begin += RowsPerStrip)
     {
       if (driver.Progress && !driver.Progress(static_cast<double>(begin) / rows))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The passes of vtkHeightFieldIrradiance: each adds one kind of light to an image of RGB.
+// The passes of vtkHeightFieldIrradiance: each adds one type of light to the irradiance of the
+// posts.
 #ifndef skyline_LightPasses_h
 #define skyline_LightPasses_h
 
@@ -26,7 +27,8 @@ class HorizonDriver;
 class EclipseField;
 class SunField;
 
-/// What a pass reads and writes: gradients and irradiance (three floats) of every post, row by row.
+/// The data that a pass reads and writes: gradients and irradiance (three floats) of each post, row
+/// by row.
 struct LitPosts
 {
   const float* East = nullptr; ///< null for level receivers
@@ -34,47 +36,50 @@ struct LitPosts
   float* Irradiance = nullptr;
 };
 
-/// A disc in the sky, ready for the kernels: radians; irradiance on an open plane that faces it.
+/// A disc in the sky for the kernels: angles in radians, irradiance on an open plane that faces it.
 struct SkyDisc
 {
   double Azimuth = 0.0, Elevation = 0.0, Radius = 0.0;
   std::array<double, 3> Irradiance{ { 0.0, 0.0, 0.0 } };
 };
 
-/// Checked numbers of the lights. std::invalid_argument with a one-line reason.
+/// Returns the checked values of a light. Throws std::invalid_argument with a reason of one line.
 SkyDisc DiscOf(vtkSkylineSunLight* light);
 SkyDisc DiscOf(vtkSkylineKeyLight* light);
 
-/// The same, with UseTime as the sun stands over the middle of the scene; in an eclipse with the light
-/// that the Moon leaves there.
+/// The same. With UseTime, the disc is that over the middle of the height field, dimmed by an
+/// eclipse as there.
 SKYLINEFILTERS_EXPORT SkyDisc DiscOf(vtkSkylineSunLight* light, const HorizonDriver& driver);
 
-/// A disc with an azimuth on the image as it stands over the middle of the driver.
+/// Converts a disc whose azimuth counts on the image to the ground in the middle of the height
+/// field.
 SkyDisc InMiddle(SkyDisc disc, const HorizonDriver& driver);
 
-/// LargestSunRadius in radians; larger discs become light maps.
+/// LargestSunRadius in radians. Larger discs are turned into light maps.
 constexpr double LargestSun = LargestSunRadius * RadiansPerDegree;
 
-/// A light map that holds a disc alone, with pixels of a sixteenth of its radius or less.
+/// Draws a light map that has only this disc. Its pixels are at most a sixteenth of the radius
+/// wide.
 std::vector<float> DrawDisc(const SkyDisc& disc, int& columns, int& rows);
 
-/// A sun, with the same direction everywhere or by its time, and small key lights. False if stopped.
+/// Adds a small key light, or a sun with one direction or a time. Returns false if stopped.
 bool AddSun(
   HorizonDriver& driver, HorizonCache& cache, vtkSkylineSunLight* light, const LitPosts& posts);
 bool AddDisc(
   HorizonDriver& driver, HorizonCache& cache, const SkyDisc& disc, const LitPosts& posts);
 
-/// A sun whose direction may differ from post to post; radius and irradiance are the disc's.
+/// Adds a sun whose direction may differ from post to post; radius and irradiance are those of the
+/// disc.
 bool AddSun(HorizonDriver& driver, HorizonCache& cache, const SunField& sun,
   const EclipseField& eclipse, const SkyDisc& disc, double darkening, const LitPosts& posts);
 
-/// Where an image puts its posts: metres of the south-west one, and between posts.
+/// The position of the posts in an image, in metres: the south-west post and the spacing.
 struct ImageFrame
 {
   std::array<double, 2> Origin, Spacing;
 };
 
-/// A lamp, whose place counts in the image's coordinates. False if stopped.
+/// Adds a lamp, whose position is in the coordinates of the image. Returns false if stopped.
 bool AddLamp(HorizonDriver& driver, const ImageFrame& image, vtkSkylineLampLight* light,
   const LitPosts& posts);
 

@@ -26,7 +26,7 @@ namespace
 
 constexpr double Missing = std::numeric_limits<double>::quiet_NaN();
 
-/// One row of an array as doubles, for reading row after row.
+/// Reads an array row by row, as doubles.
 class ArrayRow
 {
 public:
@@ -46,7 +46,7 @@ public:
     }
   }
 
-  /// The components at a column; null without an array.
+  /// The components at a column; null if there is no array.
   const double* At(vtkIdType column) const
   {
     return this->Array ? this->Values.data() + column * this->Components : nullptr;
@@ -58,15 +58,15 @@ private:
   std::vector<double> Values;
 };
 
-/// What reaches one post.
+/// The light that reaches one post.
 struct PostLight
 {
-  const double* SunVisibility; ///< null: all of the sun
-  const double* Sky;           ///< null: that of a plane with the post's slope
+  const double* SunVisibility; ///< null: all of the sun is visible
+  const double* Sky;           ///< null: as on an open plane with the slope of the post
   const double* Further;       ///< null: none
 };
 
-/// Irradiance over pi of a post with slopes east and north and a sun in the direction x, y, z.
+/// Irradiance / pi of a post with the slopes east and north and a sun in the direction x, y, z.
 Rgb LightOf(const MapLights& lights, const PostLight& post, double east, double north, double x,
   double y, double z)
 {
@@ -83,7 +83,7 @@ Rgb LightOf(const MapLights& lights, const PostLight& post, double east, double 
   return light;
 }
 
-/// The place with the axes that its directions are counted on.
+/// The georeference with the axes on which its directions are counted.
 Georeference WithAxes(Georeference place, const GroundMetric& metric)
 {
   place.GroundAxes = !metric.Uniform();
@@ -119,7 +119,7 @@ MapLight::MapLight(
 {
 }
 
-// NaN where missing; all NaN outside the image.
+// Missing posts are NaN, and so are all posts outside the image.
 void MapLight::ReadHeights(vtkIdType row, double* heights) const
 {
   if (row < 0 || row >= this->Rows)
@@ -172,7 +172,7 @@ void MapLight::LightRows(const MapLights& lights, const GroundColors& colors, vt
       const double west = i > 0 ? here[i - 1] : Missing;
       const double east = i + 1 < columns ? here[i + 1] : Missing;
       const double slopeY = AxisGradient(south[i], here[i], north[i], metric.Y);
-      // A column lies a little further north than the one before where the map is sheared.
+      // On a sheared map a column lies further north than the column before.
       const double slopeX =
         AxisGradient(west, here[i], east, metric.X) - slopeY * metric.Shear / metric.X;
       const PostLight post{ visibility.At(i), sky.At(i), further.At(i) };

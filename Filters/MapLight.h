@@ -22,36 +22,38 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// The colour of the ground (albedo, linear RGB) by its height: of a named map, or of VTK's colours.
+/// The colour of the ground (albedo, linear RGB) by its height, from a named colour map or a lookup
+/// table.
 struct GroundColors
 {
   const ColorMap* Map;
-  vtkScalarsToColors* Table; ///< null: Map
-  double Low, High;          ///< metres, the first and the last colour of Map
+  vtkScalarsToColors* Table; ///< null: use Map
+  double Low, High;          ///< heights of the first and last colour of Map, metres
 
   Rgb operator()(double height) const;
 };
 
-/// What shines on all posts. The arrays, which may be null, have one tuple for each post.
+/// The light on all posts. Arrays may be null; the others have one tuple per post.
 struct MapLights
 {
-  std::array<double, 3> SunIrradiance; ///< of a surface that faces the sun
+  std::array<double, 3> SunIrradiance; ///< on a surface that faces the sun
   std::array<double, 3> SkyRadiance;
   vtkDataArray* SunVisibility; ///< 0 to 1; null: the sun is never hidden
-  vtkDataArray* Sky;     ///< share of the sky's light; null: that of a plane with the post's slope
-  vtkDataArray* Further; ///< irradiance, RGB; null: none
+  vtkDataArray* Sky;           ///< share of the light of the sky; null: as on an open plane
+  vtkDataArray* Further;       ///< further irradiance, RGB; null: none
 };
 
-/// The posts of an image and the sun over them, ready to be lit.
+/// The posts of an image and the sun over them, ready for lighting.
 class MapLight
 {
 public:
-  /// Heights in metres, one for each post; both must outlive this. Throws std::exception with a one-line
-  /// reason where the georeference or the time of the sun is not usable.
+  /// `heights` has one height in metres per post. Image and heights must outlive this. Throws
+  /// std::exception, with a reason of one line, if the georeference or the time of the sun cannot
+  /// be used.
   MapLight(vtkImageData* image, vtkDataArray* heights, vtkSkylineSunLight* sun);
 
-  /// Radiance of a Lambertian ground in the rows [first, last): three floats for each post of the image,
-  /// NaN where the height is missing.
+  /// Writes the radiance of a Lambertian ground in the rows [first, last): three floats per post of
+  /// the image, NaN where the height is missing.
   void LightRows(const MapLights& lights, const GroundColors& colors, vtkIdType first,
     vtkIdType last, float* radiance) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sun of a vtkSkylineSunLight over a height field: every filter that takes a sun reads it here.
+// The sun of a vtkSkylineSunLight over a height field. All filters with a sun use these functions.
 #ifndef skyline_PlacedSun_h
 #define skyline_PlacedSun_h
 
@@ -16,22 +16,24 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// Directions to the sun over the posts: with UseTime, of that time at the place of each post, with the
-/// air of `meanHeight` metres; else one direction on the image. Throws std::invalid_argument or
-/// std::out_of_range, naming the value, as ParseUtcTime and SunField do.
+/// Returns the directions to the sun over the posts: with UseTime those at that time at the place
+/// of each post, with the air at the height `meanHeight` in metres; otherwise one direction on the
+/// image. Throws std::invalid_argument or std::out_of_range, with the value, as ParseUtcTime and
+/// SunField do.
 SunField SunFieldOf(vtkSkylineSunLight* sun, const Georeference& place, double meanHeight);
 
-/// The Moon before that sun; empty without UseTime. Throws as SunFieldOf.
+/// Returns the Moon in front of that sun; empty without UseTime. Throws as SunFieldOf does.
 EclipseField EclipseFieldOf(vtkSkylineSunLight* sun, const Georeference& place, double meanHeight);
 
-/// Angular radius of the disc in degrees: with UseTime and TrueRadius that of `field`, else the light's.
-/// Throws std::out_of_range, naming the number, unless it is 0 to below 90.
+/// Returns the angular radius of the disc in degrees: with UseTime and TrueRadius that of `field`,
+/// otherwise that of the light. Throws std::out_of_range, with the value, unless it is 0 to below
+/// 90.
 double RadiusOf(vtkSkylineSunLight* sun, const SunField& field);
 
-/// Of the light's disc, as SunAccumulator takes it: 0 where LimbDarkening is off.
+/// Returns the limb darkening of the disc, as SunAccumulator takes it; 0 if LimbDarkening is off.
 double LimbDarkeningOf(vtkSkylineSunLight* sun);
 
-/// What a SunField or an EclipseField has over the middle of the posts.
+/// Returns the value of a SunField or an EclipseField over the middle of the posts.
 template <typename Field>
 auto InTheMiddle(const Field& field, const Georeference& place)
 {

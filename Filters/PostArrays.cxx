@@ -21,7 +21,7 @@ namespace skyline
 namespace
 {
 
-// Calls f(missing, values) for every post, row by row.
+// Calls f(missing, values) for each post, row by row.
 template <typename Function>
 void ForEachPost(const HeightField& field, vtkFloatArray* array, const Function& f)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays that filters put out: values of every post, row by row.
+// The output arrays of filters: values of each post, row by row.
 #ifndef skyline_PostArrays_h
 #define skyline_PostArrays_h
 
@@ -17,11 +17,11 @@ namespace skyline
 
 class HeightField;
 
-/// Adds a float array with so many components a post; its values are not set. std::runtime_error if there
-/// is no memory for it.
+/// Adds a float array with `components` components per post; its values are not initialized. Throws
+/// std::runtime_error if there is not enough memory.
 vtkFloatArray* AddPostArray(vtkImageData* output, const char* name, int components = 1);
 
-/// Sets all components of an array to NaN at the field's missing posts.
+/// Sets all components of an array to NaN at the missing posts of the field.
 void BlankMissing(const HeightField& field, vtkFloatArray* array);
 
 /// Counts the posts that are not missing and have a component that is NaN or infinite.

@@ -13,7 +13,7 @@ std::shared_ptr<const HeightPyramid> PyramidCache::Get(
   built = !this->Pyramid || this->LevelStep != levelStep || this->Checksum != checksum;
   if (built)
   {
-    this->Pyramid = nullptr; // its memory first
+    this->Pyramid = nullptr; // frees its memory first
     const auto pyramid = std::make_shared<HeightPyramid>(field, levelStep);
     vtkSMPTools::For(
       0, pyramid->RowCount(), [&](vtkIdType begin, vtkIdType end) { pyramid->Expand(begin, end); });

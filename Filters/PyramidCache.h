@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A pyramid of heights, kept between executions as long as the heights are the same.
+// Keeps a pyramid of heights between executions as long as the heights are the same.
 #ifndef skyline_PyramidCache_h
 #define skyline_PyramidCache_h
 
@@ -15,8 +15,8 @@ class HeightPyramid;
 class PyramidCache
 {
 public:
-  /// The pyramid of the field, with all of its rows built; a new one if the field's checksum
-  /// (HeightChecksum) or the number of levels to an octave changed. built: whether it is new.
+  /// Returns the pyramid of the field with all of its rows. A new pyramid is built if the checksum
+  /// of the field (HeightChecksum) or the number of levels per octave has changed; `built` says so.
   std::shared_ptr<const HeightPyramid> Get(
     const HeightField& field, std::uint64_t checksum, double levelStep, bool& built);
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The door by which the package `skyline` updates a pipeline while other threads of Python run: VTK's
-// wrapped Update holds Python's lock, a function called by ctypes does not. (Observers written in Python
-// take the lock themselves: vtkPythonCommand.)
+// The function with which the package `skyline` updates a pipeline while other Python threads run:
+// the wrapped Update of VTK holds Python's global lock, a function called by ctypes does not.
+// (Observers written in Python take the lock themselves: vtkPythonCommand.)
 #include "SkylineFiltersModule.h" // for the export macro
 #include "vtkAlgorithm.h"
 
 #include <exception>
 
-/// `object`: the address of a vtkAlgorithm as its Python object tells it; the caller holds a reference.
+/// `object` is the address of a vtkAlgorithm, as its Python object gives it. The caller holds a
+/// reference.
 extern "C" SKYLINEFILTERS_EXPORT void SkylineUpdateAlgorithm(void* object) noexcept;
 
 void SkylineUpdateAlgorithm(void* object) noexcept
@@ -21,12 +22,12 @@ void SkylineUpdateAlgorithm(void* object) noexcept
   {
     algorithm->Update();
   }
-  catch (const std::exception& reason) // none may pass through Python
+  catch (const std::exception& reason) // exceptions must not pass through Python
   {
     vtkErrorWithObjectMacro(algorithm, << reason.what());
   }
   catch (...)
   {
-    vtkErrorWithObjectMacro(algorithm, << "an exception of an unknown kind");
+    vtkErrorWithObjectMacro(algorithm, << "unknown exception");
   }
 }

@@ -13,18 +13,18 @@ namespace skyline
 namespace
 {
 
-// Lines that one thread finds in a row: the search reuses what it learnt on the line before. A fixed
-// number, so that the bits do not depend on the number of threads.
+// Lines that one thread searches in sequence: each line reuses results of the line before. The
+// number is fixed, so that the bits of the result do not depend on the number of threads.
 constexpr std::ptrdiff_t ChunkLines = SearchRows;
 
-// Floats from a line of slopes to the next: lines are written in whole blocks of 32, and an odd number
-// of cache lines spreads them over the cache's sets when columns are turned into rows.
+// Floats from one line of slopes to the next. Lines are written in whole blocks of 32; an odd
+// number of cache lines spreads them over the sets of the cache when columns are turned into rows.
 std::ptrdiff_t SlopeStride(std::ptrdiff_t lanes)
 {
   return (lanes + 31) / 32 * 32 + 16;
 }
 
-// Lines of the frame that hold image lines [begin, end).
+// Finds the lines of the frame for the image lines [begin, end).
 void FrameLines(const RayFrame& frame, std::ptrdiff_t begin, std::ptrdiff_t end,
   std::ptrdiff_t& from, std::ptrdiff_t& to)
 {
@@ -32,13 +32,13 @@ void FrameLines(const RayFrame& frame, std::ptrdiff_t begin, std::ptrdiff_t end,
   to = frame.Reversed ? frame.Lines - begin : end;
 }
 
-// Columns and rows that one thread takes where lines are columns: consumers take runs along rows, and
-// tiles keep these long: every run lies in other pages of memory than the one before. Their slopes stay
-// in the cache.
+// Columns and rows that one thread takes if lines are columns. Consumers take runs along rows, each
+// in other memory pages than the run before; tiles keep these runs long, and their slopes in the
+// cache.
 constexpr std::ptrdiff_t TileLines = SearchColumns;
 constexpr std::ptrdiff_t TileRows = 256;
 
-// Rows of up to ChunkLines, where lines are rows.
+// Finds up to ChunkLines rows if lines are rows.
 void FindChunk(const HorizonMethod& method, const PostRegion& chunk, std::vector<float>& slopes,
   const SlopeTaker& take)
 {
@@ -55,7 +55,7 @@ void FindChunk(const HorizonMethod& method, const PostRegion& chunk, std::vector
   }
 }
 
-// Up to TileLines columns and TileRows rows, where lines are columns.
+// Finds up to TileLines columns and TileRows rows if lines are columns.
 void FindTile(const HorizonMethod& method, const PostRegion& tile, std::vector<float>& slopes,
   const SlopeTaker& take)
 {
@@ -85,14 +85,15 @@ void FindTile(const HorizonMethod& method, const PostRegion& tile, std::vector<f
   }
 }
 
-// A part that one thread finds: rows of up to ChunkLines and columns of up to TileLines fit either way.
+// Finds a part for one thread. Up to ChunkLines rows and TileLines columns fit in both cases.
 void FindPart(const HorizonMethod& method, const PostRegion& part, std::vector<float>& slopes,
   const SlopeTaker& take)
 {
   (method.Frame().Columns ? FindTile : FindChunk)(method, part, slopes, take);
 }
 
-// Parts of a region, as the frame's lines run, so that results do not depend on the direction of rays.
+// Divides a region along the lines of the frame, so that results do not depend on the direction of
+// rays.
 std::vector<PostRegion> PartsOf(const RayFrame& frame, const PostRegion& region)
 {
   std::vector<PostRegion> parts;

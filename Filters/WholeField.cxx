@@ -36,7 +36,7 @@ void RequestWhole(vtkInformation* input)
     input->Get(Pipeline::WHOLE_EXTENT(), whole.data());
     input->Set(Pipeline::UPDATE_EXTENT(), whole.data(), 6);
   }
-  // A piece asked for would undo the extent.
+  // A request for a piece would override the extent.
   input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
   input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
   input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
@@ -56,9 +56,9 @@ void CheckWhole(vtkInformation* input)
   {
     if (here[k] > whole[k] || here[k + 1] < whole[k + 1])
     {
-      throw std::invalid_argument("this process has a part of the height field, " + Text(here) +
-        " of " + Text(whole) +
-        "; horizons need all of it: read it by vtkHeightFieldReader, or run on one process");
+      throw std::invalid_argument("this process has only a part of the height field, " +
+        Text(here) + " of " + Text(whole) +
+        "; horizons need all of it; read it with vtkHeightFieldReader, or use one process");
     }
   }
 }

@@ -20,7 +20,7 @@
 namespace
 {
 
-// Near hot ground k was measured down to about -5. Far below -100 all terrain would sink away.
+// Near hot ground, k down to about -5 was measured. Far below -100 all terrain would disappear.
 constexpr double LeastRefraction = -100.0;
 
 } // namespace

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightFieldAlgorithm
- * @brief   what the filters on horizons of a height field have in common
+ * @brief   base class of the filters that search horizons of a height field
  *
- * Input: a vtkImageData of one slice with one point scalar a post (SetInputArrayToProcess; the active
- * scalars by default), metres; x points east, y north, row 0 is the south edge; at least 2 x 2
- * posts. NaN and infinite posts are missing. A georeference in the field data (vtkHeightFieldReader)
- * brings curvature, refraction, the spacing of every row and true north. Output: the input and the
- * result arrays, float, NaN at missing posts. Results do not depend on the number of threads.
+ * The input is a vtkImageData with one slice and at least 2 x 2 posts. The heights are a point
+ * array with one component, in metres: the array chosen by SetInputArrayToProcess, by default the
+ * active scalars. x points east and y north; row 0 is the southern edge. NaN and infinite heights
+ * mark missing posts. If the field data hold a georeference (see vtkHeightFieldReader), the filter
+ * uses it for curvature, refraction, the spacing of each row and true north.
  *
- * Errors are reported by ErrorEvent in one line; the output then is empty.
+ * The output is the input with further point arrays of type float, NaN at missing posts. The
+ * results do not depend on the number of threads.
+ *
+ * Each error is reported by one ErrorEvent with a text of one line. The output is then empty.
  */
 #ifndef vtkHeightFieldAlgorithm_h
 #define vtkHeightFieldAlgorithm_h
@@ -18,7 +21,7 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
 
-#include <memory> // For Pyramids
+#include <memory> // for Pyramids
 #include <string>
 
 namespace skyline
@@ -38,23 +41,24 @@ public:
   vtkTypeMacro(vtkHeightFieldAlgorithm, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The ways to find horizons; Documentation/horizon.md compares them.
+  /// The methods that find horizons. Documentation/horizon.md compares them.
   enum MethodType
   {
-    EXACT = 0,  ///< every edge of the surface that can matter
-    FAST = 1,   ///< below the exact horizon by 0.25 degrees at most
-    SWEEP = 2,  ///< Timonen & Westerholm 2010 as published, resampled: off by degrees at places
-    PYRAMID = 3 ///< Snyder & Nowrouzezahrai 2008: smooth, off by a degree, horizons of 0 at least
+    EXACT = 0,  ///< uses every edge of the surface that can matter
+    FAST = 1,   ///< at most 0.25 degrees below the exact horizon
+    SWEEP = 2,  ///< Timonen & Westerholm 2010, resampled; can be off by degrees
+    PYRAMID = 3 ///< Snyder & Nowrouzezahrai 2008: smooth, off by about a degree, never below 0
   };
-  /// The surfaces through the posts.
+  /// The surface that is assumed between the posts.
   enum SurfaceType
   {
-    TRIANGLES = 0, ///< each cell split from its (i, j) to its (i + 1, j + 1) post
-    BILINEAR = 1   ///< each cell a bilinear patch
+    TRIANGLES = 0, ///< each cell is split from post (i, j) to post (i + 1, j + 1)
+    BILINEAR = 1   ///< each cell is a bilinear patch
   };
 
   ///@{
-  /// How horizons are found; default EXACT.
+  /// Set/Get the method that finds horizons. The default is EXACT. Other values are clamped to
+  /// EXACT ... PYRAMID.
   vtkSetClampMacro(Method, int, EXACT, PYRAMID);
   vtkGetMacro(Method, int);
   void SetMethodToExact() { this->SetMethod(EXACT); }
@@ -64,7 +68,8 @@ public:
   ///@}
 
   ///@{
-  /// The surface through the posts; default TRIANGLES. SWEEP and PYRAMID know no other.
+  /// Set/Get the surface between the posts. The default is TRIANGLES. SWEEP and PYRAMID support
+  /// TRIANGLES only; BILINEAR with them is an error of the update.
   vtkSetClampMacro(Surface, int, TRIANGLES, BILINEAR);
   vtkGetMacro(Surface, int);
   void SetSurfaceToTriangles() { this->SetSurface(TRIANGLES); }
@@ -72,32 +77,39 @@ public:
   ///@}
 
   ///@{
-  /// Leaves the body's curvature and refraction out; default off. Without a georeference the field
-  /// is flat anyway.
+  /// Ignore the curvature of the body, and refraction. The default is off. A height field without a
+  /// georeference is always treated as flat.
   vtkSetMacro(Flat, bool);
   vtkGetMacro(Flat, bool);
   vtkBooleanMacro(Flat, bool);
   ///@}
 
   ///@{
-  /// Terrestrial refraction k: a post at distance d sinks by (1 - k) d^2 / 2R. Counts on the Earth
-  /// alone; default 0.13, -100 to below 1.
+  /// Set/Get the coefficient k of terrestrial refraction: terrain at distance d appears lower by (1
+  /// - k) d^2 / 2R. It is used on the Earth only. The default is 0.13; the range is -100 to below
+  /// 1. Other values are an error of the update.
   vtkSetMacro(RefractionCoefficient, double);
   vtkGetMacro(RefractionCoefficient, double);
   ///@}
 
   ///@{
-  /// Degrees by which EXACT may fall short of the horizon, for speed; default 0, 0 to 90. What is found
-  /// within the tolerance (FAST: 0.25) depends on the processor's instruction set; with 0 it does not.
+  /// Set/Get by how many degrees a horizon of EXACT may lie too low, for the sake of speed. The
+  /// default is 0, the range 0 to 90. With a tolerance above 0 (FAST always has 0.25) the result
+  /// within the tolerance depends on the instruction set of the processor; with 0 it does not.
   vtkSetClampMacro(Tolerance, double, 0.0, 90.0);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
-  /// The parameters of PYRAMID (Snyder & Nowrouzezahrai 2008). LevelStep k: levels an octave, 1 to 16,
-  /// default 4; LevelOffset o: octaves by which sharper levels are read, 0 or more, default 2;
-  /// LevelDistance lambda: samples to where a level is read, default 1; LevelSpline: the b-spline over
-  /// log distance, default on; off: the greatest level alone, cheaper.
+  /// Set/Get the parameters of PYRAMID (Snyder & Nowrouzezahrai 2008). Values out of range are an
+  /// error of the update.
+  /// - LevelStep (k): number of levels per octave, 1 to 16, default 4.
+  /// - LevelOffset (o): by how many octaves sharper the levels are that are read, 0 to 64, default
+  ///   2.
+  /// - LevelDistance (lambda): number of samples to the place where a level is read, above 0 to 64,
+  ///   default 1.
+  /// - LevelSpline: whether a b-spline over log distance is used, default on. If off, only the
+  ///   greatest level counts, which is cheaper.
   vtkSetMacro(LevelStep, double);
   vtkGetMacro(LevelStep, double);
   vtkSetMacro(LevelOffset, double);
@@ -110,13 +122,14 @@ public:
   ///@}
 
   ///@{
-  /// Seconds that the last execution took: preparation of bounds, and search with its consumers.
+  /// Get how many seconds the last execution spent on the preparation of bounds, and on the search
+  /// together with the evaluation of the horizons.
   vtkGetMacro(PrepareSeconds, double);
   vtkGetMacro(SearchSeconds, double);
   ///@}
 
-  /// Pyramids that the last execution built (PYRAMID). Heights that did not change keep theirs, as long
-  /// as the method is PYRAMID.
+  /// Get the number of pyramids that the last execution built (PYRAMID only). A pyramid is reused
+  /// as long as the heights do not change and the method stays PYRAMID.
   vtkGetMacro(PyramidBuilds, int);
 
 protected:
@@ -129,8 +142,8 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
 
-  /// Adds the filter's arrays to `output`, which holds the input's data. Returns false if aborted;
-  /// throws std::exception with a one-line reason.
+  /// Adds the arrays of the filter to `output`, which already holds the data of the input. Returns
+  /// false if aborted. Throws std::exception with a reason of one line.
   virtual bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) = 0;
 
   int Method = EXACT;

@@ -24,7 +24,7 @@ vtkStandardNewMacro(vtkHeightFieldCap);
 namespace
 {
 
-// Raises the heights of the image's posts to all polygons.
+// Raises the heights of the posts of the image to all polygons.
 void Cap(vtkPolyData* objects, vtkImageData* image, std::vector<double>& heights)
 {
   const int* extent = image->GetExtent();
@@ -102,7 +102,7 @@ int vtkHeightFieldCap::RequestData(
   {
     output->Initialize();
     vtkErrorMacro(
-      "the input has no heights of one slice: name its point array by SetInputArrayToProcess");
+      "the input has no heights of one slice: choose its array by SetInputArrayToProcess");
     return 0;
   }
   std::vector<double> posts(static_cast<std::size_t>(heights->GetNumberOfTuples()));

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightFieldCap
- * @brief   puts houses on the height field, so that they cast shadows
+ * @brief   raises a height field to the objects on it, so that they cast shadows
  *
- * Inputs: 0, a height field (see vtkHeightFieldAlgorithm); 1, vtkPolyData in the frame of its image, z
- * in metres like the heights. Output: the image, its heights raised at every post under a polygon to
- * the highest polygon there (Lee & Kim, figure 8): double for heights in double, float otherwise, under
- * the same name. Everything between the ground and that polygon counts as solid, which suits what
- * stands on the ground; an aircraft would cast the shadow of a pillar. What lies between posts, such as
- * a wall thinner than their spacing, raises none. Missing posts stay missing.
+ * Input 0 is a height field (see vtkHeightFieldAlgorithm). Input 1 is a vtkPolyData in the
+ * coordinates of that image, with z in metres like the heights. The output is the image, with the
+ * height of each post under a polygon raised to the highest polygon there (Lee & Kim, figure 8).
+ * The output heights keep their name; they are double if the input heights are double, and float
+ * otherwise.
  *
- * Errors are reported by ErrorEvent in one line; the output then is empty.
+ * Everything between the ground and the polygon counts as solid. This suits objects that stand on
+ * the ground, such as houses; an aircraft would cast the shadow of a pillar. An object that lies
+ * between posts, such as a wall thinner than their spacing, raises no height. Missing posts stay
+ * missing.
+ *
+ * Each error is reported by one ErrorEvent with a text of one line. The output is then empty.
  */
 #ifndef vtkHeightFieldCap_h
 #define vtkHeightFieldCap_h
@@ -31,7 +35,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// What to put on the height field: input 1.
+  /// Set the objects to put on the height field: input 1.
   void SetObjectsConnection(vtkAlgorithmOutput* objects);
   void SetObjectsData(vtkPolyData* objects);
   ///@}

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightFieldHorizon
- * @brief   the horizon all around every post
+ * @brief   computes the horizon around each post
  *
- * Adds `HorizonElevation`: degrees above the horizontal plane, component k in azimuth 360 k / N
- * clockwise from grid north (the image's +y). The greatest elevation angle at which the azimuth's
- * vertical plane meets the surface beyond the post, to the edge of the data; it may be negative, and
- * is -90 where no terrain lies in the azimuth.
+ * Adds the float array `HorizonElevation` with N = NumberOfAzimuths components: the elevation angle
+ * of the horizon in degrees above the horizontal plane. Component k is the horizon in the azimuth
+ * 360 k / N degrees, clockwise from grid north (the +y axis of the image). The horizon is the
+ * greatest elevation angle at which the vertical plane of the azimuth meets the surface, from the
+ * post to the edge of the data. It may be negative, and it is -90 where no terrain lies in the
+ * azimuth.
  */
 #ifndef vtkHeightFieldHorizon_h
 #define vtkHeightFieldHorizon_h
@@ -14,7 +16,7 @@
 #include "vtkHeightFieldAlgorithm.h"
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
 
-#include <vector> // For azimuths
+#include <vector> // for azimuths
 
 VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkHeightFieldHorizon : public vtkHeightFieldAlgorithm
@@ -25,7 +27,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Azimuths around; default 36, 1 to 3600.
+  /// Set/Get the number of evenly spaced azimuths. The default is 36, the range 1 to 3600. Other
+  /// values are an error of the update.
   vtkSetMacro(NumberOfAzimuths, int);
   vtkGetMacro(NumberOfAzimuths, int);
   ///@}
@@ -36,7 +39,7 @@ protected:
 
   bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
-  /// Fills NumberOfAzimuths values a post, degrees. False if stopped.
+  /// Fills `values` with NumberOfAzimuths values per post, in degrees. Returns false if aborted.
   virtual bool Store(
     skyline::HorizonDriver& driver, const std::vector<double>& azimuths, float* values);
 

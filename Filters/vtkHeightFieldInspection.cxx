@@ -62,7 +62,7 @@ void vtkHeightFieldInspection::Inspect(vtkImageData* heightField, const char* su
     south = north + posts[1] * place.GeoTransform[5];
   }
   const double relief = found.Highest - found.Lowest;
-  // Who gives a spacing of a metre or more means metres.
+  // A spacing of a metre or more is taken as metres.
   constexpr double finest = 1.0;
   const bool given = !place.HasGeoTransform && spacing[0] >= finest;
   if (found.Any && place.Crs.empty() && !given &&

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightFieldInspection
- * @brief   warns of a height field in memory whose heights may not mean what they seem to mean
+ * @brief   warns if the heights of an image may not mean what they seem to mean
  *
- * What vtkHeightFieldReader finds in rasters, for images that a program made: heights that often stand
- * for missing posts, and degrees taken for metres (Documentation/input.md). Each doubt is a WarningEvent
- * of this object. Nothing is changed.
+ * vtkHeightFieldReader checks rasters; this class makes the same checks for an image that a program
+ * made in memory. It looks for heights that often stand for missing posts, and for degrees that are
+ * taken for metres (see Documentation/input.md). Each finding is one WarningEvent of this object.
+ * The image is not changed.
  */
 #ifndef vtkHeightFieldInspection_h
 #define vtkHeightFieldInspection_h
@@ -24,8 +25,9 @@ public:
   vtkTypeMacro(vtkHeightFieldInspection, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Looks at the active point scalars, one component, and at the spacing and georeference of an image.
-  /// subject: what the warnings call it, "the array". Does nothing for an image without such scalars.
+  /// Check an image: its active point scalars, if they have one component, its spacing and its
+  /// georeference. `subject` is the name of the image in the warnings, such as "the array"; null
+  /// stands for "the height field". An image without such scalars is not checked.
   void Inspect(vtkImageData* heightField, const char* subject);
 
 protected:

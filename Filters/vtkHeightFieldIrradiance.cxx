@@ -36,7 +36,8 @@ vtkStandardNewMacro(vtkHeightFieldIrradiance);
 namespace
 {
 
-/// The light map with its sun, or else its north, turned to the ground's axes (HorizonInput::Place).
+/// Turns the light map to the axes of the ground (HorizonInput::Place): by the direction of its sun
+/// if it has one, otherwise by its north.
 skyline::TurnedLightMap OnGround(
   vtkSkylineEnvironmentLight* environment, const skyline::HorizonDriver& driver)
 {
@@ -54,7 +55,7 @@ skyline::TurnedLightMap OnGround(
 
 } // namespace
 
-// The lights that shine, by how they are computed.
+// The lights that are on, sorted by how they are computed.
 struct vtkHeightFieldIrradiance::SortedLights
 {
   std::vector<skyline::TurnedLightMap> Maps;
@@ -62,7 +63,7 @@ struct vtkHeightFieldIrradiance::SortedLights
   std::vector<skyline::SkyDisc> LargeDiscs;
   std::vector<vtkSkylineSunLight*> Suns;
   std::vector<vtkSkylineLampLight*> Lamps;
-  std::vector<int> LampNumbers; // from 1, in the order of AddLight
+  std::vector<int> LampNumbers; // for messages: from 1, in the order of AddLight
   int AllLamps = 0;
 
   std::size_t Count() const
@@ -84,7 +85,7 @@ struct vtkHeightFieldIrradiance::SortedLights
     }
     else if (auto* sun = vtkSkylineSunLight::SafeDownCast(light))
     {
-      skyline::DiscOf(sun); // throws before any work
+      skyline::DiscOf(sun); // throws before any work is done
       this->Suns.push_back(sun);
     }
     else if (auto* key = vtkSkylineKeyLight::SafeDownCast(light))
@@ -104,7 +105,7 @@ struct vtkHeightFieldIrradiance::Internal
 {
   std::vector<vtkSmartPointer<vtkSkylineLight>> Lights;
   skyline::HorizonCache Cache;
-  std::vector<double> TransferKey; // the surface and settings that Transfer belongs to
+  std::vector<double> TransferKey; // identifies the surface and settings of Transfer
   std::vector<float> Transfer;
 };
 
@@ -183,7 +184,7 @@ vtkMTimeType vtkHeightFieldIrradiance::GetMTime()
   return time;
 }
 
-// What the horizons of a scene depend on.
+// The values that the horizons of a height field depend on.
 std::vector<double> vtkHeightFieldIrradiance::SurfaceKey(
   skyline::HorizonDriver& driver, vtkImageData* image)
 {
@@ -202,18 +203,18 @@ std::vector<double> vtkHeightFieldIrradiance::SurfaceKey(
     this->LevelDistance, this->LevelSpline ? 1.0 : 0.0 };
 }
 
-// What a post takes beside its height: the result, the gradients, and the pass that takes most.
+// Floats per post besides the height: the result, the gradients, and the pass that takes most.
 std::ptrdiff_t vtkHeightFieldIrradiance::FloatsOfPasses(
   const SortedLights& lights, bool uniform) const
 {
-  std::ptrdiff_t pass = 0; // of lamps
+  std::ptrdiff_t pass = 0; // of the lamps
   if (this->LightMethod == HARMONICS)
   {
     pass = skyline::HarmonicCount(this->HarmonicBands) + skyline::WedgeGroup - 1 + this->Horizontal;
   }
   else if (!lights.Suns.empty())
   {
-    pass = 3; // what is lit, what is hidden, the azimuth before
+    pass = 3; // lit part, hidden part, previous azimuth
   }
   else if (!lights.Discs.empty())
   {
@@ -230,7 +231,7 @@ bool vtkHeightFieldIrradiance::Compute(skyline::HorizonDriver& driver, vtkImageD
 {
   using namespace skyline;
   this->SearchedAzimuths = this->EnvironmentPasses = this->SunPasses = this->LampPasses = 0;
-  EvenAzimuths(this->NumberOfAzimuths); // throws for numbers out of range
+  EvenAzimuths(this->NumberOfAzimuths); // throws if out of range
   if (this->LightMethod == HARMONICS)
   {
     CheckHarmonicBands(this->HarmonicBands);
@@ -246,7 +247,7 @@ bool vtkHeightFieldIrradiance::Compute(skyline::HorizonDriver& driver, vtkImageD
   }
 
   driver.DemandFloats(
-    "lit posts", this->FloatsOfPasses(lights, driver.Input().Ground().Uniform()), {});
+    "the light on the posts", this->FloatsOfPasses(lights, driver.Input().Ground().Uniform()), {});
   const auto count = static_cast<std::size_t>(output->GetNumberOfPoints());
   vtkFloatArray* irradiance = skyline::AddPostArray(output, "Irradiance", 3);
   std::fill_n(irradiance->GetPointer(0), 3 * count, 0.0f);
@@ -374,7 +375,7 @@ bool vtkHeightFieldIrradiance::AddTables(
     std::vector<double> azimuths = accumulator.FedAzimuths();
     for (double& azimuth : azimuths)
     {
-      // LINEAR feeds north once more in the end; it shall be found among the kept.
+      // LINEAR passes north a second time at the end; it must be found in the cache.
       azimuth = azimuth >= 2.0 * Pi ? 0.0 : azimuth;
     }
     ++this->EnvironmentPasses;

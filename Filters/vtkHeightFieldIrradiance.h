@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightFieldIrradiance
- * @brief   the light that falls on every post
+ * @brief   computes the light that falls on each post
  *
- * Adds `Irradiance`: RGB floats, the integral of L V max(0, n.d) over all directions d, for the sum
- * of the lights added; n is the post's normal, or with Horizontal the vertical. A white Lambertian
- * surface sends out Irradiance / pi. Environments, suns and key lights count above the horizontal
- * plane only, lamps wherever they are.
+ * Adds the float array `Irradiance` with the components R, G and B: the integral of L V max(0, n.d)
+ * over all directions d, for the sum of all lights. L is the radiance of the lights, V the
+ * visibility, and n the normal at the post, or the vertical with Horizontal. A white Lambertian
+ * surface sends out Irradiance / pi. Environments, suns and key lights count only above the
+ * horizontal plane; lamps count wherever they are.
  *
- * What each light takes: all environments and large key lights one pass over NumberOfAzimuths azimuths
- * and those that their bright spots ask for; each sun or small key light a pass over its own swath;
- * each lamp a pass over the posts that face it. No light, no pass; the counts below tell.
+ * The cost depends on the lights. All environments and large key lights share one pass over
+ * NumberOfAzimuths azimuths, plus the azimuths that are added for bright spots. Each sun or small
+ * key light takes a pass over its own swath, and each lamp a pass over the posts that face it. The
+ * counters below report the passes of the last execution.
  *
- * With LightMethod HARMONICS all lights but lamps go through the transfer of each post (bands^2
- * floats), which is kept: changed lights take no horizons. A sun is a blur there. With TABLE changed
- * lights take new horizons unless KeepHorizons is on, which costs a float a post and azimuth.
+ * With LightMethod HARMONICS, all lights but lamps are multiplied with the transfer of each post
+ * (bands^2 floats). The transfer is kept, so that changed lights need no new horizons; but a sun is
+ * blurred. With TABLE, changed lights need new horizons unless KeepHorizons is on, which costs one
+ * float per post and azimuth.
  */
 #ifndef vtkHeightFieldIrradiance_h
 #define vtkHeightFieldIrradiance_h
@@ -41,31 +44,33 @@ public:
   vtkTypeMacro(vtkHeightFieldIrradiance, vtkHeightFieldAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The ways to integrate distant light over the sky that a post sees.
+  /// The methods that integrate distant light over the sky that a post sees.
   enum LightMethodType
   {
-    TABLE = 0,    ///< exact integrals of each swath's light above the horizon
-    HARMONICS = 1 ///< spherical harmonics of HarmonicBands bands: a fast preview
+    TABLE = 0,    ///< exact integrals of the light of each swath above the horizon
+    HARMONICS = 1 ///< spherical harmonics with HarmonicBands bands: a fast preview
   };
-  /// What is assumed about the horizon between two searched azimuths.
+  /// What is assumed between two searched azimuths.
   enum QuadratureType
   {
-    CONSTANT = 0, ///< each horizon stands for its swath (Timonen & Westerholm 2010)
-    BLEND = 1,    ///< light between two azimuths is weighted between theirs
-    LINEAR = 2    ///< horizons are linear between azimuths; a float a post more
+    CONSTANT = 0, ///< each horizon stands for its whole swath (Timonen & Westerholm 2010)
+    BLEND = 1,    ///< light between two azimuths is shared between them by its distance
+    LINEAR = 2    ///< horizons are linear between azimuths; takes one more float per post
   };
 
   ///@{
-  /// The lights. At least one must shine. A light is held, not copied: its changes are heard.
+  /// Add, remove and get lights. At least one light must be switched on, otherwise the update is an
+  /// error. The filter keeps a reference to each light and runs again after a light was modified.
+  /// Null is ignored.
   void AddLight(vtkSkylineLight* light);
   void RemoveLight(vtkSkylineLight* light);
   void RemoveAllLights();
   int GetNumberOfLights();
-  vtkSkylineLight* GetLight(int index); ///< null beyond the last
+  vtkSkylineLight* GetLight(int index); ///< null if there is no such light
   ///@}
 
   ///@{
-  /// How distant lights are integrated; default TABLE.
+  /// Set/Get how distant lights are integrated. The default is TABLE.
   vtkSetClampMacro(LightMethod, int, TABLE, HARMONICS);
   vtkGetMacro(LightMethod, int);
   void SetLightMethodToTable() { this->SetLightMethod(TABLE); }
@@ -73,21 +78,22 @@ public:
   ///@}
 
   ///@{
-  /// Evenly spread azimuths; default 128, 1 to 3600.
+  /// Set/Get the number of evenly spaced azimuths. The default is 128, the range 1 to 3600. Other
+  /// values are an error of the update.
   vtkSetMacro(NumberOfAzimuths, int);
   vtkGetMacro(NumberOfAzimuths, int);
   ///@}
 
   ///@{
-  /// Search further azimuths where an environment is bright (TABLE); default on. Off, a small sun in a
-  /// light map casts the shadow of its swath's middle.
+  /// Search further azimuths where an environment is bright (TABLE only). The default is on. If
+  /// off, a small sun in a light map casts its shadow from the middle of its swath.
   vtkSetMacro(Refine, bool);
   vtkGetMacro(Refine, bool);
   vtkBooleanMacro(Refine, bool);
   ///@}
 
   ///@{
-  /// What lies between azimuths (TABLE); default CONSTANT.
+  /// Set/Get what is assumed between two azimuths (TABLE only). The default is CONSTANT.
   vtkSetClampMacro(Quadrature, int, CONSTANT, LINEAR);
   vtkGetMacro(Quadrature, int);
   void SetQuadratureToConstant() { this->SetQuadrature(CONSTANT); }
@@ -96,35 +102,38 @@ public:
   ///@}
 
   ///@{
-  /// Bands of HARMONICS, 2 to 8; default 4.
+  /// Set/Get the number of bands of HARMONICS. The default is 4, the range 2 to 8. Other values are
+  /// an error of the update.
   vtkSetMacro(HarmonicBands, int);
   vtkGetMacro(HarmonicBands, int);
   ///@}
 
   ///@{
-  /// Take level receivers in place of the posts' own planes; default off.
+  /// Compute the light on level receivers instead of on the tilted surface at each post. The
+  /// default is off.
   vtkSetMacro(Horizontal, bool);
   vtkGetMacro(Horizontal, bool);
   vtkBooleanMacro(Horizontal, bool);
   ///@}
 
   ///@{
-  /// Keep all horizons searched (TABLE), so that changed lights search only azimuths that no light
-  /// needed before; default off.
+  /// Keep all horizons that were searched (TABLE only), so that changed lights search only azimuths
+  /// that no light has needed before. The default is off.
   vtkSetMacro(KeepHorizons, bool);
   vtkGetMacro(KeepHorizons, bool);
   vtkBooleanMacro(KeepHorizons, bool);
   ///@}
 
   ///@{
-  /// Of the last execution: azimuths searched, and passes over the posts by kind of light.
+  /// Get the number of azimuths that the last execution searched, and its passes over the posts for
+  /// each type of light.
   vtkGetMacro(SearchedAzimuths, int);
   vtkGetMacro(EnvironmentPasses, int);
   vtkGetMacro(SunPasses, int);
   vtkGetMacro(LampPasses, int);
   ///@}
 
-  /// The time of the last change of this filter or of one of its lights.
+  /// Get the time of the last change of this filter or of one of its lights.
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -133,8 +142,8 @@ protected:
 
   bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
-  /// Adds what a light in harmonics gives to all posts, from their transfer, which is kept as long as
-  /// `key` is the same. False if stopped.
+  /// Adds the light of `light`, given as harmonics, to all posts. It uses their transfer, which is
+  /// kept as long as `key` is the same. Returns false if aborted.
   virtual bool LightByHarmonics(skyline::HorizonDriver& driver, const skyline::HarmonicLight& light,
     const std::vector<double>& key, const skyline::LitPosts& posts);
 

@@ -33,16 +33,17 @@ namespace
 
 using skyline::Rgb;
 
-// Rows that one thread takes at a time, between two looks at AbortExecute.
+// Rows that one thread takes between two checks of AbortExecute.
 constexpr vtkIdType RowsPerStrip = 64;
 
-// Posts that the automatic exposure looks at: enough for a steady percentile, few enough to sort.
+// Posts that the automatic exposure uses: enough for a steady percentile, few enough to sort.
 constexpr vtkIdType LargestSample = 1 << 20;
 
 // The share of lit posts below the level that the automatic exposure sets.
 constexpr double SampleShare = 0.98;
 
-// The exposure in stops that gives the percentile of luminance the level of the tone map's input.
+// Finds the exposure in stops that brings the percentile of luminance to `level` in the input of
+// the tone map.
 double FindExposure(const float* radiance, vtkIdType posts, double level)
 {
   std::vector<float> sample;
@@ -66,7 +67,7 @@ double FindExposure(const float* radiance, vtkIdType posts, double level)
   return std::log2(level / *place);
 }
 
-// Tone-mapped sRGB with alpha, four bytes a post.
+// Writes tone-mapped sRGB with alpha, four bytes per post.
 void Develop(const float* radiance, vtkIdType first, vtkIdType last, float gain, unsigned char* to)
 {
   for (vtkIdType post = first; post < last; ++post)
@@ -207,7 +208,7 @@ vtkDataArray* vtkHeightFieldShading::FindFurtherLight(vtkImageData* image) const
     (light->GetNumberOfComponents() != 3 ||
       light->GetNumberOfTuples() != image->GetNumberOfPoints()))
   {
-    throw std::invalid_argument("no irradiance: the array is not three numbers a post");
+    throw std::invalid_argument("no irradiance: the array does not have three components");
   }
   return light;
 }
@@ -232,7 +233,7 @@ vtkSmartPointer<vtkFloatArray> vtkHeightFieldShading::LightPosts(const skyline::
   };
   if (colors.Table)
   {
-    lightStrips(0, strips); // MapValue writes to a member of the table: one thread
+    lightStrips(0, strips); // MapValue writes to a member of the table: use one thread
   }
   else
   {

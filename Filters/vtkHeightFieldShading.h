@@ -1,32 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHeightFieldShading
- * @brief the map picture of a lit height field
+ * @brief shades a height field as a map picture
  *
- * Colours heights by a colour map, lights them by a sun and a sky, and tone-maps the result. Input:
- * one 2-D vtkImageData whose heights are the point array chosen by SetInputArrayToProcess(0, ...)
- * (default: the active scalars). Two optional point arrays say what terrain hides:
- * SunVisibility (0 to 1; absent: the sun is never hidden) and the array named by SkyArrayName (the
- * sky's irradiance over pi times its mean radiance; absent: that of a plane with the post's slope).
+ * Colours the heights by a colour map, lights them by a sun and a sky, and tone-maps the result.
+ * The input is a 2-D vtkImageData. Its heights, in metres, are the point array chosen by
+ * SetInputArrayToProcess(0, ...), by default the active scalars. Two optional point arrays say how
+ * much light reaches each post:
+ * - SunVisibility, 0 to 1. Without it the sun is never hidden.
+ * - The array named by SkyArrayName: the irradiance of the sky divided by pi times its mean
+ *   radiance. Without it each post sees as much sky as an open plane with the slope of the post.
  *
- * Output: the input with two more point arrays:
- * - Radiance (float RGB, linear light): albedo / pi * (SunIrradiance * SunVisibility * max(0, n.s)
- *   + pi * SkyRadiance * sky), the light a Lambertian ground sends up; NaN at missing posts;
- * - Picture (unsigned char RGBA, sRGB): Radiance times 2^EV through the tone curve; no channel reaches
- *   255; missing posts are transparent black. It becomes the active scalars.
+ * The output is the input with two more point arrays:
+ * - Radiance (float RGB, linear): albedo / pi * (SunIrradiance * SunVisibility * max(0, n.s)
+ *   + pi * SkyRadiance * sky), the light that a Lambertian ground sends up; NaN at missing posts;
+ * - Picture (unsigned char RGBA, sRGB): Radiance times 2^EV, tone-mapped. No channel reaches 255;
+ *   missing posts are transparent black. Picture becomes the active scalars.
  *
- * The normal comes from central differences, one-sided at the edge and beside missing posts.
+ * n is the normal at the post, from central differences (one-sided at the edge and beside missing
+ * posts), and s the direction to the sun. Errors are reported by ErrorEvent.
  */
 #ifndef vtkHeightFieldShading_h
 #define vtkHeightFieldShading_h
 
-#include "SkylineFiltersModule.h" // For export macro
+#include "SkylineFiltersModule.h" // for the export macro
 #include "vtkImageAlgorithm.h"
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
-#include "vtkSkylineSunLight.h"     // For the methods that set its properties
-#include "vtkSmartPointer.h"        // For Sun, LookupTable
+#include "vtkSkylineSunLight.h"     // for the methods that set its properties
+#include "vtkSmartPointer.h"        // for Sun, LookupTable
 
-#include <string> // For names
+#include <string> // for names
 
 namespace skyline
 {
@@ -49,9 +52,9 @@ public:
 
   ///@{
   /**
-   * The sun: a direction, or a time, and its irradiance (none where its Switch is off). The filter has one
-   * of its own, with the irradiance of ClearDaylight(45) in Daylight.h; a sun set here can be shared with
-   * other filters. Null gives the filter a new one.
+   * Set/Get the sun: its direction, or its time, and its irradiance (none if its Switch is off). By
+   * default the filter has a sun of its own with the irradiance of ClearDaylight(45) in Daylight.h.
+   * A sun set here can be shared with other filters. Null gives the filter a new sun.
    */
   void SetSun(vtkSkylineSunLight* sun);
   vtkSkylineSunLight* GetSun() { return this->Sun; }
@@ -59,8 +62,9 @@ public:
 
   ///@{
   /**
-   * Azimuth of the sun, degrees clockwise from grid north (default 315), and apparent elevation above the
-   * level ground, degrees, -90 to 90 (default 45). Unused with UseTime.
+   * Set/Get the azimuth of the sun in degrees clockwise from grid north (default 315), and its
+   * apparent elevation above the horizontal plane in degrees, -90 to 90 (default 45). Not used with
+   * UseTime.
    */
   void SetSunAzimuth(double degrees) { this->Sun->SetAzimuth(degrees); }
   double GetSunAzimuth() { return this->Sun->GetAzimuth(); }
@@ -70,9 +74,10 @@ public:
 
   ///@{
   /**
-   * With UseTime, the sun's direction is that of the moment HoursLater (default 0) after Time (ISO 8601,
-   * UTC without a zone) over each post, by the georeference in the input's field data. Without a place on
-   * the Earth, or with a time that cannot be read, an error of the update. Defaults: off, empty.
+   * With UseTime, the direction of the sun is computed for each post, at the moment HoursLater
+   * hours after Time. UseTime is off, Time is empty and HoursLater is 0 by default. Time is ISO
+   * 8601, and UTC if it names no time zone. The input needs a georeference on the Earth in its
+   * field data; without it, or with a time that cannot be read, the update is an error.
    */
   void SetUseTime(bool on) { this->Sun->SetUseTime(on); }
   bool GetUseTime() { return this->Sun->GetUseTime(); }
@@ -86,8 +91,8 @@ public:
 
   ///@{
   /**
-   * Irradiance by the unhidden sun of a surface that faces it, linear RGB, 0 and up. Default: that
-   * of a clear day with the sun at 45 degrees.
+   * Set/Get the irradiance of a surface that faces the unhidden sun, linear RGB, 0 or more. The
+   * default is that of a clear day with the sun at 45 degrees.
    */
   void SetSunIrradiance(double red, double green, double blue)
   {
@@ -99,8 +104,8 @@ public:
 
   ///@{
   /**
-   * Mean radiance of the sky (its irradiance of open level ground over pi), linear RGB, 0 and up.
-   * Default: that of a clear day with the sun at 45 degrees.
+   * Set/Get the mean radiance of the sky (its irradiance on open level ground divided by pi),
+   * linear RGB, 0 or more. The default is that of a clear day with the sun at 45 degrees.
    */
   vtkSetVector3Macro(SkyRadiance, double);
   vtkGetVector3Macro(SkyRadiance, double);
@@ -108,8 +113,8 @@ public:
 
   ///@{
   /**
-   * Name of the point array with the sky's irradiance over pi times SkyRadiance. Default
-   * SkyViewFactor, which is that of a uniform sky.
+   * Set/Get the name of the point array with the irradiance of the sky, divided by pi times
+   * SkyRadiance. The default is SkyViewFactor, which suits a uniform sky.
    */
   vtkSetMacro(SkyArrayName, std::string);
   vtkGetMacro(SkyArrayName, std::string);
@@ -117,8 +122,9 @@ public:
 
   ///@{
   /**
-   * Name of a point array with further irradiance, linear RGB, as vtkHeightFieldIrradiance makes it;
-   * it adds to sun and sky. Default empty: none.
+   * Set/Get the name of a point array with further irradiance, linear RGB, as
+   * vtkHeightFieldIrradiance computes it. It is added to the light of sun and sky. The default is
+   * empty: none.
    */
   vtkSetMacro(IrradianceArrayName, std::string);
   vtkGetMacro(IrradianceArrayName, std::string);
@@ -126,8 +132,8 @@ public:
 
   ///@{
   /**
-   * Name of the colour map: hypsometric (default), ocean, viridis, cividis or gray. An unknown
-   * name is an error of the update.
+   * Set/Get the name of the colour map: hypsometric (default), ocean, viridis, cividis or gray. An
+   * unknown name is an error of the update.
    */
   vtkSetMacro(ColorMap, std::string);
   vtkGetMacro(ColorMap, std::string);
@@ -135,8 +141,8 @@ public:
 
   ///@{
   /**
-   * Heights of the first and last colour, metres. Default (0, -1): where low is not below high, the
-   * lowest and highest post.
+   * Set/Get the heights of the first and the last colour, in metres. The default is (0, -1). If the
+   * first is not below the last, the heights of the lowest and the highest post are used.
    */
   vtkSetVector2Macro(ColorRange, double);
   vtkGetVector2Macro(ColorRange, double);
@@ -144,8 +150,8 @@ public:
 
   ///@{
   /**
-   * Colours of heights in place of the named map; its range applies. Its colours are sRGB codes, as
-   * everywhere in VTK. Default none.
+   * Set/Get a lookup table that colours the heights instead of the named colour map, over its own
+   * range. Its colours are sRGB, as everywhere in VTK. The default is none.
    */
   void SetLookupTable(vtkScalarsToColors* table);
   vtkScalarsToColors* GetLookupTable();
@@ -153,8 +159,8 @@ public:
 
   ///@{
   /**
-   * Whether the exposure comes from the picture: the 98th percentile of its luminance is set to
-   * AutoLevel in ToneMap's input. Default on.
+   * Set/Get whether the exposure is computed from the picture: the 98th percentile of its luminance
+   * is set to AutoLevel in the input of ToneMap. The default is on.
    */
   vtkSetMacro(AutoExposure, bool);
   vtkGetMacro(AutoExposure, bool);
@@ -163,24 +169,24 @@ public:
 
   ///@{
   /**
-   * Exposure without AutoExposure, or its correction with it: stops, light is multiplied by 2 to
-   * this power. Default 0.
+   * Set/Get the exposure in stops: light is multiplied by 2 to this power. With AutoExposure it is
+   * added to the computed exposure. The default is 0.
    */
   vtkSetMacro(Exposure, double);
   vtkGetMacro(Exposure, double);
   ///@}
 
   /**
-   * The exposure that the last update used, stops.
+   * Get the exposure in stops that the last update used.
    */
   vtkGetMacro(UsedExposure, double);
 
   /**
-   * Level in ToneMap's input that AutoExposure gives the 98th percentile of luminance.
+   * The level that AutoExposure gives to the 98th percentile of luminance, in the input of ToneMap.
    */
   static constexpr double AutoLevel = 0.68;
 
-  /// The time of the last change of this filter, of its sun or of its lookup table.
+  /// Get the time of the last change of this filter, of its sun or of its lookup table.
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -196,7 +202,7 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
-  // Fills the output; false if stopped. Throws std::exception with a one-line reason.
+  // Fills the output. Returns false if aborted. Throws std::exception with a reason of one line.
   bool Shade(vtkImageData* in, vtkDataArray* heights, vtkImageData* out);
   vtkSmartPointer<vtkFloatArray> LightPosts(const skyline::MapLight& terrain,
     const skyline::MapLights& lights, const skyline::GroundColors& colors, vtkImageData* image);

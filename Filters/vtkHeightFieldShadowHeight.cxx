@@ -25,7 +25,8 @@ vtkStandardNewMacro(vtkHeightFieldShadowHeight);
 namespace
 {
 
-// Keeps what a method of shadow heights finds, and in the end turns it into heights of the input.
+// Stores what a method of shadow heights finds, and converts it to heights in the frame of the
+// input at the end.
 class ShadowStore : public skyline::Accumulator
 {
 public:
@@ -58,7 +59,7 @@ public:
       {
         const vtkIdType post = row * this->Columns + column;
         float& shadow = this->Shadows[post];
-        // Compared as the kernel knows them, so that rounding does not darken the posts that are lit.
+        // Compares in the values of the kernel, so that rounding does not darken lit posts.
         const bool dark = shadow > receivers[column];
         const auto ground = static_cast<float>(this->Heights->GetComponent(post, 0));
         const auto found = static_cast<float>(base + static_cast<double>(shadow));
@@ -83,7 +84,7 @@ private:
   bool BelowTerrain;
 };
 
-// The sun as one direction on the image: by time that over the middle of the posts.
+// The sun as one direction on the image; with UseTime that over the middle of the posts.
 skyline::GridSun OneSun(vtkSkylineSunLight* light, const skyline::HorizonDriver& driver)
 {
   skyline::Georeference place = driver.Input().Place();

@@ -1,30 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightFieldShadowHeight
- * @brief   how high the shadow of the terrain stands over every post
+ * @brief   computes how high the shadow of the terrain reaches above each post
  *
- * Adds `ShadowHeight`, metres in the frame of the heights: a point above the post is in the shadow of
- * the terrain if it lies lower (Lee & Kim). Where nothing shades the post it is the post's own height,
- * so that ShadowHeight less the heights is how deep the post lies in shadow, 0 where it is lit; it is
- * greater than the height in shadow alone.
+ * Adds the float array `ShadowHeight`, in metres, in the same frame as the heights: a point above
+ * the post lies in the shadow of the terrain if it is lower than this (Lee & Kim). Where nothing
+ * shades the post, ShadowHeight is the height of the post. Thus ShadowHeight minus the heights is
+ * the depth of the post in shadow; it is 0 where the post is lit.
  *
- * With Soft, adds the shadow heights of the two limbs of the disc, `ShadowHeightUpper` and
- * `ShadowHeightLower`: below the first (the lower of the two heights) the whole disc is hidden, above
- * the second nothing of it is. These are not cut off at the ground, since the ground may lie between
- * them: the lit part of a post needs both. vtkHeightFieldShadowReceiver makes light of them, at any height.
+ * With Soft, adds two more arrays, one for each limb of the sun's disc: `ShadowHeightUpper` and
+ * `ShadowHeightLower`. Below the first, which is the lower one, the whole disc is hidden; above the
+ * second nothing of the disc is hidden. These heights may lie below the ground, since the ground
+ * may lie between them, and the lit part of a post needs both. vtkHeightFieldShadowReceiver
+ * computes the light at any height from them.
  *
- * All posts have one sun: with UseTime, that over the middle of the height field.
+ * All posts have the same sun; with UseTime it is the sun over the middle of the height field.
  *
- * The sun counts above the horizontal plane alone, as in vtkHeightFieldSunShadow: with the centre, or
- * the limb, on the plane or under it, its shadow height is plus infinity, so that every height compares
- * as lower; rasters hold no infinities, there it becomes nodata. For the centre a warning says so. With
- * the lower limb alone there, ShadowHeightLower is that of a light in the plane. Above 89.9 degrees a sun casts its shadow as from
- * there. The field data get `ShadowSun`: azimuth, elevation and angular radius, degrees.
+ * The sun counts only above the horizontal plane, as in vtkHeightFieldSunShadow. If the centre of
+ * the sun, or a limb, stands on the plane or below it, its shadow height is plus infinity, so that
+ * every height is lower. (Rasters cannot hold infinities; there it becomes nodata.) For the centre,
+ * a warning is reported. If only the lower limb is not above the plane, ShadowHeightLower is that
+ * of a light in the plane. A sun above 89.9 degrees is treated as one at 89.9 degrees. The field
+ * data get the array `ShadowSun`: azimuth, elevation and angular radius of the sun in degrees.
  *
- * Method EXACT and FAST give the exact shadow of the triangles. SWEEP is Lee & Kim's recurrence as
- * published, in one pass: exact where rays pass from post to post (the axes), worn down elsewhere; it
- * knows no curvature, and runs once for each band of rows of one spacing. Neither PYRAMID nor the
- * surface BILINEAR has shadow heights.
+ * Methods EXACT and FAST give the exact shadow of the triangles. SWEEP is the recurrence that Lee &
+ * Kim published, in one pass: it is exact where rays pass from post to post (along the axes), and
+ * shadows become too short elsewhere. It has no curvature, and it runs separately for each band of
+ * rows with one spacing. Method PYRAMID and surface BILINEAR are errors of the update.
  */
 #ifndef vtkHeightFieldShadowHeight_h
 #define vtkHeightFieldShadowHeight_h
@@ -32,7 +34,7 @@
 #include "vtkHeightFieldSunAlgorithm.h"
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
 
-#include <memory> // For MakeMethod
+#include <memory> // for MakeMethod
 
 namespace skyline
 {
@@ -48,15 +50,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Add the shadow heights of the two limbs of the disc; default off.
+  /// Set/Get whether the shadow heights of the two limbs of the disc are added. The default is off.
   vtkSetMacro(Soft, bool);
   vtkGetMacro(Soft, bool);
   vtkBooleanMacro(Soft, bool);
   ///@}
 
   ///@{
-  /// Let ShadowHeight fall below the ground, where the shadow passes below; then it crosses the
-  /// ground between posts where the shadow ends. Default off.
+  /// Set/Get whether ShadowHeight may lie below the ground where the shadow passes below. It then
+  /// crosses the ground between posts where the shadow ends. The default is off.
   vtkSetMacro(BelowTerrain, bool);
   vtkGetMacro(BelowTerrain, bool);
   vtkBooleanMacro(BelowTerrain, bool);
@@ -69,8 +71,8 @@ protected:
   bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
 #ifndef __VTK_WRAP__
-  /// What finds shadow heights of a light whose rays fall by `slope` metres a metre; a filter on another
-  /// processor puts its own here.
+  /// Makes the method that finds shadow heights of a light whose rays fall by `slope` metres per
+  /// metre. A filter that uses another processor overrides this.
   virtual std::unique_ptr<skyline::HorizonMethod> MakeMethod(
     skyline::HorizonDriver& driver, double slope);
 #endif
@@ -82,8 +84,8 @@ private:
   vtkHeightFieldShadowHeight(const vtkHeightFieldShadowHeight&) = delete;
   void operator=(const vtkHeightFieldShadowHeight&) = delete;
 
-  // The shadow heights of a light in the azimuth (degrees) of the elevation (radians); infinite unless
-  // it has risen.
+  // Adds the shadow heights of a light at `azimuth` (degrees) and `elevation` (radians). They are
+  // infinite if the light is not above the horizontal plane.
   bool AddShadow(skyline::HorizonDriver& driver, vtkImageData* output, const char* name,
     double azimuth, double elevation, bool risen, bool belowTerrain);
 };

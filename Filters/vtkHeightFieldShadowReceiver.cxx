@@ -31,7 +31,7 @@ struct Corners
   std::array<vtkIdType, 3> Posts{};
   std::array<double, 3> Weights{};
 
-  // A corner without weight does not count, missing or not.
+  // A corner with weight 0 is ignored, even if it is missing.
   double Of(vtkFloatArray* array) const
   {
     double sum = 0.0;
@@ -46,7 +46,7 @@ struct Corners
   }
 };
 
-// Light at points of the frame of an image of shadow heights.
+// Computes the light at points in the coordinates of an image of shadow heights.
 class Receiver
 {
 public:
@@ -67,7 +67,8 @@ public:
     }
     if (extent[4] != extent[5] || this->Last[0] < 1 || this->Last[1] < 1)
     {
-      throw std::invalid_argument("the shadow heights are no image of one slice of 2 x 2 posts");
+      throw std::invalid_argument(
+        "the shadow heights are not an image of one slice with at least 2 x 2 posts");
     }
     if (this->Hard == nullptr)
     {
@@ -100,7 +101,7 @@ private:
       throw std::invalid_argument(
         "the image has no field array ShadowSun; give the output of vtkHeightFieldShadowHeight");
     }
-    // A point sun, unless both limbs have shadows of their own.
+    // The sun is a point unless both limbs have shadow heights.
     const bool soft =
       Find(image, "ShadowHeightUpper") != nullptr && Find(image, "ShadowHeightLower") != nullptr;
     return { sun->GetComponent(0, 1) * skyline::RadiansPerDegree,

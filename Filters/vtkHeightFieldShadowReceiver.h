@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightFieldShadowReceiver
- * @brief   which part of the sun the points of anything above the terrain see
+ * @brief   computes how much of the sun each point of an object above the terrain sees
  *
- * Inputs: 0, any vtkPointSet (houses, aircraft, a point cloud), its x and y in the frame of the image,
- * its z in metres like the heights; 1, the output of vtkHeightFieldShadowHeight. Output: the point set and the
- * point array `SunVisibility`, float, 0 (in the shadow of the terrain) to 1. What the points' own
- * surfaces shade is not known here: cap them onto the height field for that (vtkHeightFieldCap).
+ * Input 0 is any vtkPointSet (houses, aircraft, a point cloud) in the coordinates of the image,
+ * with z in metres like the heights. Input 1 is the output of vtkHeightFieldShadowHeight. The
+ * output is the point set with the float point array `SunVisibility`, from 0 (in the shadow of the
+ * terrain) to 1. Shadows that the objects cast themselves are not included; put the objects on the
+ * height field for that (vtkHeightFieldCap).
  *
- * With the heights of both limbs (Soft) it is the lit part of the disc by its chords, exact where one
- * level edge shades it; without, the shadow's edge is as deep as PenumbraDepth (Lee & Kim, section
- * 3.2). Shadow heights between posts are those of the triangles, each cell split from its (i, j) to
- * its (i + 1, j + 1) post, like the terrain's. Points outside the image, or in a triangle with a
- * missing post, see what a point over level land without terrain sees.
+ * If the image has the shadow heights of both limbs (Soft), SunVisibility is the lit part of the
+ * disc, divided by horizontal chords; this is exact where one level edge shades the point.
+ * Otherwise the shadow fades over PenumbraDepth (Lee & Kim, section 3.2). Between posts, shadow
+ * heights are interpolated on the triangles of the terrain, with each cell split from post (i, j)
+ * to post (i + 1, j + 1). Points outside the image, or in a triangle with a missing post, see the
+ * sun as over level land without terrain.
  *
- * Errors are reported by ErrorEvent in one line; the output then is empty.
+ * Each error is reported by one ErrorEvent with a text of one line. The output is then empty.
  */
 #ifndef vtkHeightFieldShadowReceiver_h
 #define vtkHeightFieldShadowReceiver_h
@@ -35,14 +37,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The image of shadow heights: input 1.
+  /// Set the image with shadow heights: input 1.
   void SetShadowConnection(vtkAlgorithmOutput* shadow);
   void SetShadowData(vtkImageData* shadow);
   ///@}
 
   ///@{
-  /// Metres below the shadow height over which the light fades, where the image has no limbs; default
-  /// 0: lit or not.
+  /// Set/Get the depth below the shadow height, in metres, over which the light fades. It is used
+  /// if the image does not have the shadow heights of both limbs. The default is 0: a point is
+  /// either lit or not. Values below 0 are clamped to 0.
   vtkSetClampMacro(PenumbraDepth, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(PenumbraDepth, double);
   ///@}

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightFieldSkyLight
- * @brief   how much light of an overcast sky every post gets
+ * @brief   computes how much light of an overcast sky reaches each post
  *
- * Adds the float array `SkyLight`: irradiance of the post's tilted surface by the part of the sky
- * that it sees, over that of open level ground under the same sky: 1 there, 0 in a chasm. The sky's
- * radiance depends on elevation alone; with the uniform sky this is SkyViewFactor. No
- * horizon is stored.
+ * Adds the float array `SkyLight`: the irradiance of the tilted surface at the post from the part
+ * of the sky that it sees, divided by the irradiance of open level ground under the same sky. It is
+ * 1 on open level ground, and 0 where no sky is seen. The radiance of the sky depends on elevation
+ * only; for the uniform sky the result is SkyViewFactor. No horizon is stored.
  */
 #ifndef vtkHeightFieldSkyLight_h
 #define vtkHeightFieldSkyLight_h
@@ -24,14 +24,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Azimuths around; default 72, 1 to 3600.
+  /// Set/Get the number of evenly spaced azimuths. The default is 72, the range 1 to 3600. Other
+  /// values are an error of the update.
   vtkSetMacro(NumberOfAzimuths, int);
   vtkGetMacro(NumberOfAzimuths, int);
   ///@}
 
   ///@{
-  /// The sky by its number in CIE S 011: 1 overcast (default), 3 overcast with a moderate
-  /// gradation, 5 uniform, 16 the traditional overcast sky. Others are an error of the update.
+  /// Set/Get the number of the sky in CIE S 011: 1 overcast (default), 3 overcast with a moderate
+  /// gradation, 5 uniform, 16 the traditional overcast sky. Other values are an error of the
+  /// update.
   vtkSetMacro(CieType, int);
   vtkGetMacro(CieType, int);
   ///@}

@@ -22,11 +22,12 @@ vtkStandardNewMacro(vtkHeightFieldSkyView);
 namespace
 {
 
-// Automatic distances in which the horizon must be known: metres, and of the field's shorter side.
+// The automatic distance in which the horizon must be known: metres, and as a part of the shorter
+// side.
 constexpr double UsualEdgeDistance = 1000.0;
 constexpr double LargestEdgeShare = 0.1;
 
-// Feeds two consumers.
+// Passes slopes to two consumers.
 class Both : public skyline::Accumulator
 {
 public:
@@ -102,7 +103,7 @@ bool vtkHeightFieldSkyView::Compute(skyline::HorizonDriver& driver, vtkImageData
   const std::vector<double> azimuths = skyline::EvenAzimuths(this->NumberOfAzimuths);
   const int quantities = this->SkyViewFactor + this->SkyViewFactorHorizontal +
     this->VisibleSkyFraction + this->PositiveOpenness + 2 * this->EdgeTrust;
-  driver.DemandFloats("views of the sky", quantities + (this->SkyViewFactor ? 2 : 0), azimuths);
+  driver.DemandFloats("sky views", quantities + (this->SkyViewFactor ? 2 : 0), azimuths);
   std::vector<vtkFloatArray*> arrays;
   const auto buffer = [&](bool wanted, const char* name)
   {
@@ -125,7 +126,7 @@ bool vtkHeightFieldSkyView::Compute(skyline::HorizonDriver& driver, vtkImageData
     throw std::invalid_argument("no quantity is switched on; switch on SkyViewFactor or another");
   }
 
-  // Only the tilted surface needs its plane.
+  // Only the tilted surface needs gradients.
   std::unique_ptr<float[]> gradients;
   const auto posts = static_cast<std::size_t>(output->GetNumberOfPoints());
   float* north = nullptr;

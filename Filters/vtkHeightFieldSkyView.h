@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightFieldSkyView
- * @brief   how much sky every post sees
+ * @brief   computes how much of the sky each post sees
  *
  * Adds the float arrays that are switched on. Sky is what lies above max(horizon, 0).
- * `SkyViewFactor`: cosine-weighted, on the tilted surface (and above its plane), 0 to 1;
- * `SkyViewFactorHorizontal`: the same on a level surface; `VisibleSkyFraction`: solid angle over that
- * of the upper hemisphere; `PositiveOpenness`: mean zenith angle of the horizon, degrees, 0 to 180.
- * No horizon is stored: memory stays below 10 floats a post.
+ * - `SkyViewFactor`: the cosine-weighted share of the sky for the tilted surface at the post, where
+ *   only sky above its own plane counts, 0 to 1.
+ * - `SkyViewFactorHorizontal`: the same for a level surface.
+ * - `VisibleSkyFraction`: the solid angle of the visible sky divided by that of the upper
+ *   hemisphere.
+ * - `PositiveOpenness`: the mean zenith angle of the horizon in degrees, 0 to 180.
  *
- * Beyond the data nothing is known, and nothing is assumed: where no terrain lies in a direction its
- * horizon is -90 degrees. So the rim sees too much: on level ground PositiveOpenness is 90, but 135 along
- * an edge and 157.5 at a corner, and hills that the data do not hold hide no sky. `EdgeTrust`, which is
- * off at first, tells where: the share of the azimuths, 0 to 1, in which the data reach at least
- * EdgeDistance from the post (to a post of the surface, or beyond). Holes on the way do not count. Keep
- * posts with EdgeTrust 1, or weigh by it.
+ * No horizon is stored; the filter needs less than 10 floats per post.
+ *
+ * Nothing is assumed beyond the edge of the data: where no terrain lies in a direction, the horizon
+ * there is -90 degrees. Therefore posts near the edge see too much sky: on level ground
+ * PositiveOpenness is 90, but 135 along an edge and 157.5 at a corner; and hills outside the data
+ * hide no sky. `EdgeTrust` (off by default) shows where: it is the share of the azimuths, 0 to 1,
+ * in which the data reach at least EdgeDistance from the post. Holes in between do not count. Use
+ * only posts with EdgeTrust 1, or weight by it.
  */
 #ifndef vtkHeightFieldSkyView_h
 #define vtkHeightFieldSkyView_h
@@ -36,13 +40,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Azimuths around; default 72, 1 to 3600.
+  /// Set/Get the number of evenly spaced azimuths. The default is 72, the range 1 to 3600. Other
+  /// values are an error of the update.
   vtkSetMacro(NumberOfAzimuths, int);
   vtkGetMacro(NumberOfAzimuths, int);
   ///@}
 
   ///@{
-  /// Which arrays to add; default all but EdgeTrust. At least one.
+  /// Set/Get which arrays to add. By default all but EdgeTrust are on. If none is on, the update is
+  /// an error.
   vtkSetMacro(SkyViewFactor, bool);
   vtkGetMacro(SkyViewFactor, bool);
   vtkBooleanMacro(SkyViewFactor, bool);
@@ -61,9 +67,10 @@ public:
   ///@}
 
   ///@{
-  /// How far the data must reach for EdgeTrust. With AutoEdgeDistance (default on) 1000 metres, or a tenth
-  /// of the field's shorter side if that is less; else EdgeDistance: metres, 0 (any terrain at all) or
-  /// more, default 1000.
+  /// Set/Get how far the data must reach for EdgeTrust. With AutoEdgeDistance (the default) the
+  /// distance is 1000 metres, or a tenth of the shorter side of the field if that is less.
+  /// Otherwise it is EdgeDistance in metres, default 1000, 0 (any terrain at all) or more; other
+  /// values are an error of the update.
   vtkSetMacro(AutoEdgeDistance, bool);
   vtkGetMacro(AutoEdgeDistance, bool);
   vtkBooleanMacro(AutoEdgeDistance, bool);

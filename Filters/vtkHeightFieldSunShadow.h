@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightFieldSunShadow
- * @brief   how much of the sun every post sees
+ * @brief   computes how much of the sun each post sees
  *
- * Adds `SunVisibility`: the lit fraction of the sun's disc above the horizon curve across its swath,
- * 0 (full shadow) to 1. The sun is one direction for all posts, or, with UseTime, the sun of that
- * time at the place of each post (needs a georeference). Only the swath of the sun is searched.
+ * Adds the float array `SunVisibility`: the part of the sun's disc that lies above the horizon, 0
+ * (full shadow) to 1. The horizon is searched across the swath of the sun only. The sun has one
+ * direction for all posts; with UseTime its direction is that of the given time at the place of
+ * each post, which needs a georeference.
  *
- * In an eclipse at that time the visibility is multiplied by the share of the sun's light that the Moon
- * leaves at the post (skyline::EclipseField). The product is exact where the terrain leaves all of the
- * disc or none, and in totality; where it cuts the disc of an eclipsed sun it can be off by 0.25, for
- * the horizon may cut the bright part or the dark one.
+ * During an eclipse at that time, the visibility is multiplied by the share of the sun's light that
+ * the Moon leaves at the post (skyline::EclipseField). The product is exact where the terrain hides
+ * all of the disc or none of it, and in totality. Where the terrain cuts the disc of an eclipsed
+ * sun, the product can be off by up to 0.25, since the horizon may hide the bright part or the dark
+ * part.
  */
 #ifndef vtkHeightFieldSunShadow_h
 #define vtkHeightFieldSunShadow_h
@@ -27,14 +29,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Let the disc darken towards its limb (Eddington, u = 0.6); default off.
+  /// Set/Get whether the disc darkens towards its limb (Eddington, u = 0.6). The default is off.
   void SetLimbDarkening(bool on) { this->Sun->SetLimbDarkening(on); }
   bool GetLimbDarkening() { return this->Sun->GetLimbDarkening(); }
   void LimbDarkeningOn() { this->SetLimbDarkening(true); }
   void LimbDarkeningOff() { this->SetLimbDarkening(false); }
   ///@}
 
-  /// Azimuths searched by the last execution.
+  /// Get the number of azimuths that the last execution searched.
   vtkGetMacro(SearchedAzimuths, int);
 
 protected:

@@ -27,7 +27,7 @@ vtkStandardNewMacro(vtkHeightFieldSurface);
 namespace
 {
 
-// 0, stride, 2 stride, ..., and the last one.
+// 0, stride, 2 stride, ..., and the last index.
 std::vector<vtkIdType> Steps(vtkIdType count, vtkIdType stride)
 {
   std::vector<vtkIdType> steps;
@@ -39,7 +39,7 @@ std::vector<vtkIdType> Steps(vtkIdType count, vtkIdType stride)
   return steps;
 }
 
-// The cells between chosen columns and rows. Points are made when the first cell asks for them.
+// The cells between chosen columns and rows. A point is made when the first cell uses it.
 class Mesh
 {
 public:
@@ -57,7 +57,7 @@ public:
 
   std::ptrdiff_t CellRows() const { return static_cast<std::ptrdiff_t>(this->Rows.size()) - 1; }
 
-  // The triangles of a row of cells.
+  // Adds the triangles of a row of cells.
   void AddSurface(std::ptrdiff_t j)
   {
     for (std::ptrdiff_t i = 0; i < this->CellColumns(); ++i)
@@ -70,7 +70,7 @@ public:
     }
   }
 
-  // The walls under the sides of a row of cells that have no neighbour.
+  // Adds the walls under the sides of a row of cells that have no neighbour.
   void AddSkirt(std::ptrdiff_t j, double base)
   {
     for (std::ptrdiff_t i = 0; i < this->CellColumns(); ++i)
@@ -161,7 +161,7 @@ private:
   std::vector<vtkIdType> Columns;
   std::vector<vtkIdType> Rows;
   double Exaggeration;
-  std::vector<vtkIdType> Place; // of the point on each post, -1 before it is made
+  std::vector<vtkIdType> Place; // index of the point of each post, -1 before it is made
   vtkNew<vtkPoints> Points;
   vtkNew<vtkFloatArray> Elevation;
   vtkNew<vtkCellArray> Cells;
@@ -181,7 +181,7 @@ int vtkHeightFieldSurface::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-// A piece would have rims of its own.
+// A piece would have edges of its own.
 int vtkHeightFieldSurface::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHeightFieldSurface
- * @brief the triangles of a height field
+ * @brief makes the triangle mesh of a height field
  *
- * Input: one 2-D vtkImageData; heights are the point array chosen by SetInputArrayToProcess(0, ...)
- * (default: the active scalars). Output: the triangulation of the posts that Skyline's horizons are
- * exact on, each cell split from its south-west to its north-east post; cells with a missing post
- * (NaN, infinite) are left out, and posts that no cell uses. The point array Elevation holds the
- * heights before the exaggeration.
+ * The input is a 2-D vtkImageData. Its heights are the point array chosen by
+ * SetInputArrayToProcess(0, ...), by default the active scalars. The output is the triangle mesh
+ * for which the horizons of Skyline are exact: each cell is split from its south-west to its
+ * north-east post. Cells with a missing post (NaN or infinite) are left out, and so are posts that
+ * no cell uses. The point array Elevation holds the heights before the exaggeration.
  *
- * With SkirtOn the output is the wall that hangs from the rims of that mesh instead, down to
- * SkirtBase: drawn beside it, the terrain looks like a block and not like a sheet.
+ * With SkirtOn, the output is a wall instead, from the edges of that mesh down to SkirtBase. Drawn
+ * together with the mesh, it makes the terrain look like a solid block.
  *
- * Where several processes ask for a piece each, the first gets all of it.
+ * If several processes each ask for a piece, the first one gets the whole output.
  */
 #ifndef vtkHeightFieldSurface_h
 #define vtkHeightFieldSurface_h
 
-#include "SkylineFiltersModule.h" // For export macro
+#include "SkylineFiltersModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
 
@@ -31,7 +31,8 @@ public:
 
   ///@{
   /**
-   * Every how many posts the mesh has a corner; the last row and column are always in. Default 1.
+   * Set/Get the number of posts from one mesh point to the next. The last row and the last column
+   * are always included. The default is 1.
    */
   vtkSetClampMacro(Stride, int, 1, VTK_INT_MAX);
   vtkGetMacro(Stride, int);
@@ -39,7 +40,7 @@ public:
 
   ///@{
   /**
-   * Factor on the heights of the points. Default 1.
+   * Set/Get the factor by which the heights of the points are multiplied. The default is 1.
    */
   vtkSetMacro(Exaggeration, double);
   vtkGetMacro(Exaggeration, double);
@@ -47,8 +48,8 @@ public:
 
   ///@{
   /**
-   * The wall in place of the terrain, and the height at which it ends (after the exaggeration).
-   * Defaults: off, 0.
+   * Set/Get whether the wall is made instead of the terrain (default off), and the height of its
+   * lower edge, after the exaggeration (default 0).
    */
   vtkSetMacro(Skirt, bool);
   vtkGetMacro(Skirt, bool);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightFieldTransfer
- * @brief   how every post turns distant light into irradiance, as spherical harmonics
+ * @brief   computes the transfer of each post as spherical harmonics
  *
- * Adds the float array `TransferSH`: the coefficients of visibility times max(0, cosine at the post's
- * normal), bands^2 components, as in vtkHeightFieldVisibility. The irradiance of a light with the
- * coefficients L is the dot product with L: another light needs no horizons (the transfer vector of
- * Snyder & Nowrouzezahrai 2008, section 5; here the product is integrated, not multiplied from two
- * truncated series).
+ * Adds the float array `TransferSH` with bands^2 components: the spherical harmonics of the
+ * visibility times max(0, cosine of the angle of incidence). The order of the coefficients is that
+ * of vtkHeightFieldVisibility. The irradiance by a light with the coefficients L is the dot product
+ * with L; another light therefore needs no new horizons. This is the transfer vector of Snyder &
+ * Nowrouzezahrai 2008, section 5, but the product is integrated here, not multiplied from two
+ * truncated series.
  */
 #ifndef vtkHeightFieldTransfer_h
 #define vtkHeightFieldTransfer_h

@@ -21,13 +21,13 @@ vtkStandardNewMacro(vtkHeightFieldVisibility);
 namespace
 {
 
-// Radians clockwise from grid north, of a swath in degrees.
+// The azimuths in a swath given in degrees, in radians clockwise from grid north.
 std::vector<double> AzimuthsInside(double azimuth, double width, int count)
 {
   std::vector<double> azimuths = skyline::EvenAzimuths(count); // checks the count
   if (!std::isfinite(azimuth))
   {
-    throw std::invalid_argument("the swath's azimuth is no number; give degrees");
+    throw std::invalid_argument("the swath's azimuth is not a finite number; give degrees");
   }
   if (!(width > 0.0 && width <= 360.0))
   {
@@ -67,7 +67,7 @@ bool vtkHeightFieldVisibility::Project(
     AzimuthsInside(this->SwathAzimuth, this->SwathWidth, this->NumberOfAzimuths);
   const double width =
     this->SwathWidth * skyline::RadiansPerDegree / static_cast<double>(azimuths.size());
-  // The sums, the azimuths of a group that wait, the gradients.
+  // The sums, the azimuths of a group that wait, and the gradients.
   driver.DemandFloats("spherical harmonics",
     skyline::HarmonicCount(this->NumberOfBands) + skyline::WedgeGroup - 1 + (withCosine ? 2 : 0),
     azimuths);

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightFieldVisibility
- * @brief   the sky that every post sees, as spherical harmonics
+ * @brief   computes the visible sky of each post as spherical harmonics
  *
- * Adds the float array `VisibilitySH`: the coefficients of the function that is 1 where the sky shows
- * above max(horizon, 0), bands^2 components (16 by default); real orthonormal harmonics without
- * Condon-Shortley phase, index l * l + l + m, x east, y north, z up. Projected in closed form, azimuth
- * by azimuth (Snyder & Nowrouzezahrai 2008, section 5, without their tables); no horizon is stored.
+ * Adds the float array `VisibilitySH` with bands^2 components (16 by default): the coefficients of
+ * the function that is 1 above max(horizon, 0) and 0 elsewhere. The harmonics are real and
+ * orthonormal, without the Condon-Shortley phase; function (l, m) has the index l * l + l + m; x
+ * points east, y north and z up. The projection is in closed form for each azimuth (Snyder &
+ * Nowrouzezahrai 2008, section 5, without their tables). No horizon is stored.
  *
- * A swath leaves all but a part of the azimuths out, for a light that stands in that part alone:
- * fewer horizons, sharper shadows.
+ * With SwathWidth below 360, only a part of the azimuths is used, for a light that stands in that
+ * part: this needs fewer horizons and gives sharper shadows.
  */
 #ifndef vtkHeightFieldVisibility_h
 #define vtkHeightFieldVisibility_h
@@ -17,7 +18,7 @@
 #include "vtkHeightFieldAlgorithm.h"
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
 
-#include <vector> // For azimuths
+#include <vector> // for azimuths
 
 VTK_ABI_NAMESPACE_BEGIN
 class SKYLINEFILTERS_EXPORT vtkHeightFieldVisibility : public vtkHeightFieldAlgorithm
@@ -28,26 +29,31 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Bands, the order of the harmonics; default 4, 2 to 8.
+  /// Set/Get the number of bands. The default is 4, the range 2 to 8. Other values are an error of
+  /// the update.
   vtkSetMacro(NumberOfBands, int);
   vtkGetMacro(NumberOfBands, int);
   ///@}
 
   ///@{
-  /// Azimuths in the swath; default 32, 1 to 3600. SN08 take 16 to 32 around, 3 in a key light's.
+  /// Set/Get the number of azimuths in the swath. The default is 32, the range 1 to 3600. Other
+  /// values are an error of the update. Snyder & Nowrouzezahrai use 16 to 32 for the full circle
+  /// and 3 for a key light.
   vtkSetMacro(NumberOfAzimuths, int);
   vtkGetMacro(NumberOfAzimuths, int);
   ///@}
 
   ///@{
-  /// Middle of the swath, degrees clockwise from grid north, on a distorted map from the +y axis of the
-  /// ground at every post; default 0. Without effect on a circle, whose first azimuth is north.
+  /// Set/Get the middle of the swath in degrees clockwise from grid north (on a distorted map, from
+  /// the direction on the ground of the +y axis at each post). The default is 0. It has no effect
+  /// on the full circle, whose first azimuth is north.
   vtkSetMacro(SwathAzimuth, double);
   vtkGetMacro(SwathAzimuth, double);
   ///@}
 
   ///@{
-  /// Width of the swath, degrees, above 0 up to 360; default 360, the circle.
+  /// Set/Get the width of the swath in degrees, above 0 and at most 360. The default is 360, the
+  /// full circle. Other values are an error of the update.
   vtkSetMacro(SwathWidth, double);
   vtkGetMacro(SwathWidth, double);
   ///@}
@@ -58,12 +64,14 @@ protected:
 
   bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
-  /// Feeds the sky of all posts, times their cosine or not, to an array of the name.
+  /// Adds the array `name` with the projected visibility of all posts, or with their transfer if
+  /// `withCosine`. Returns false if aborted.
   bool Project(
     skyline::HorizonDriver& driver, vtkImageData* output, const char* name, bool withCosine);
 
-  /// Sums the sky over azimuths (degrees, each standing for `width` radians) into NumberOfBands^2
-  /// values a post; east, north: the posts' gradients, or null for no cosine. False if stopped.
+  /// Adds up the visible sky over azimuths (degrees, each standing for `width` radians) into
+  /// NumberOfBands^2 values per post. `east` and `north` are the gradients of the posts, or null
+  /// for no cosine. Returns false if aborted.
   virtual bool Sum(skyline::HorizonDriver& driver, const std::vector<double>& azimuths,
     double width, const float* east, const float* north, float* values);
 

@@ -109,7 +109,7 @@ void vtkSkylineEnvironmentLight::FillPixels()
   {
     const LightMap map = ViewLightMap(this->Image);
     const auto fine = [](float value) { return value >= 0.0f && std::isfinite(value); };
-    const float* first = map.Pixel(map.Rows - 1, 0); // the image's rows start at the bottom
+    const float* first = map.Pixel(map.Rows - 1, 0); // image rows start at the bottom
     const auto count = static_cast<std::size_t>(3 * map.Columns * map.Rows);
     this->PixelsAreImage = std::all_of(first, first + count, fine);
     if (!this->PixelsAreImage)
@@ -129,7 +129,7 @@ void vtkSkylineEnvironmentLight::FillPixels()
   this->Pixels.resize(3 * static_cast<std::size_t>(SkyWidth) * SkyHeight);
   if (perez && elevation <= 0.0)
   {
-    std::fill(this->Pixels.begin(), this->Pixels.end(), 0.0f); // the sun is down
+    std::fill(this->Pixels.begin(), this->Pixels.end(), 0.0f); // the sun is not above the horizon
     return;
   }
   const SkyModel sky = perez ? PerezSky(this->DirectIrradiance, this->DiffuseIrradiance, elevation)
@@ -143,13 +143,14 @@ skyline::TurnedLightMap vtkSkylineEnvironmentLight::GetLightMap()
   using namespace skyline;
   if (!std::isfinite(this->Rotation))
   {
-    throw std::invalid_argument("the light map's rotation is no angle");
+    throw std::invalid_argument(
+      "the rotation of the environment is not a finite number of degrees");
   }
   for (const double factor : this->Radiance)
   {
     if (!(factor >= 0.0 && std::isfinite(factor)))
     {
-      throw std::invalid_argument("an environment's radiance is below 0 or no number");
+      throw std::invalid_argument("an environment's radiance is below 0 or not finite");
     }
   }
   if (this->PixelTime < this->GetMTime())
@@ -158,7 +159,7 @@ skyline::TurnedLightMap vtkSkylineEnvironmentLight::GetLightMap()
     this->PixelTime = this->GetMTime();
   }
   TurnedLightMap light;
-  light.Rotation = std::fmod(this->Rotation, 360.0) * RadiansPerDegree; // exact, however large
+  light.Rotation = std::fmod(this->Rotation, 360.0) * RadiansPerDegree; // fmod is exact
   std::copy_n(this->Radiance, 3, light.Scale);
   if (this->Source == IMAGE)
   {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkylineEnvironmentLight
- * @brief   light from all of the sky: a light map, or a sky by formula
+ * @brief   light from the whole sky: a light map or a sky formula
  *
- * It counts above the horizontal plane only. The sun of a sky is not part of it: it is a
- * vtkSkylineSunLight of its own, and the sky is only brighter around it.
+ * Only the part above the horizontal plane counts. A sky formula is brighter around the sun, but
+ * the sun itself is not included: add a vtkSkylineSunLight for it.
  */
 #ifndef vtkSkylineEnvironmentLight_h
 #define vtkSkylineEnvironmentLight_h
@@ -32,17 +32,17 @@ public:
   vtkTypeMacro(vtkSkylineEnvironmentLight, vtkSkylineLight);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What an environment's light is taken from.
+  /// The sources of the light.
   enum SourceType
   {
-    UNIFORM = 0, ///< the same radiance everywhere: Radiance
-    IMAGE = 1,   ///< Image times Radiance
-    CIE = 2,     ///< a sky of CIE S 011 whose zenith has Radiance
-    PEREZ = 3 ///< Perez's all-weather sky of DirectIrradiance and DiffuseIrradiance, times Radiance
+    UNIFORM = 0, ///< Radiance, the same in all directions
+    IMAGE = 1,   ///< Image, multiplied by Radiance
+    CIE = 2,     ///< a sky of CIE S 011 that has Radiance at the zenith
+    PEREZ = 3    ///< the all-weather sky of Perez (Direct-, DiffuseIrradiance), times Radiance
   };
 
   ///@{
-  /// What the environment is; default UNIFORM.
+  /// Set/Get the source of the light. The default is UNIFORM.
   vtkSetClampMacro(Source, int, UNIFORM, PEREZ);
   vtkGetMacro(Source, int);
   void SetSourceToUniform() { this->SetSource(UNIFORM); }
@@ -51,51 +51,53 @@ public:
   void SetSourceToPerez() { this->SetSource(PEREZ); }
   ///@}
 
-  /// Sets Source, and what belongs to it, from the text of a sky: "uniform", "cie:N" (N from 1 to 16) or
-  /// "perez:DIRECT,DIFFUSE" (W/m2, as DirectIrradiance and DiffuseIrradiance). Returns false, and changes
-  /// nothing, where the text is the name of a light map's file: read that by vtkSkylineLightMapReader, for
-  /// SetImage. Any other text is an error.
+  /// Set Source and its parameters from a text: "uniform", "cie:N" (N from 1 to 16) or
+  /// "perez:DIRECT,DIFFUSE" (W/m2, see DirectIrradiance and DiffuseIrradiance). If the text is the
+  /// name of a light map file, the method returns false and changes nothing: read the file with
+  /// vtkSkylineLightMapReader and call SetImage. Any other text is an error.
   bool SetSky(const char* text);
 #ifndef __VTK_WRAP__
-  /// The same for a sky that has been read; SkyKind::None switches the light off.
+  /// The same for a parsed description. SkyKind::None switches the light off.
   bool SetSky(const skyline::SkyDescription& sky);
 #endif
 
-  /// Whether it looks the same in all azimuths, so that neither Rotation nor the sun change it: a uniform
-  /// sky, and some of CIE's.
+  /// Return whether the light is the same in all azimuths, so that neither Rotation nor the sun
+  /// changes it. This is so for a uniform sky and for some CIE skies.
   bool IsSameAllAround();
 
   ///@{
-  /// RGB, 0 or more: radiance, or the factor on one, by Source; default 1, 1, 1.
+  /// Set/Get the radiance, or the factor on it (see SourceType): RGB, 0 or more. The default is 1,
+  /// 1, 1. Negative or non-finite values are an error of the filter that uses the light.
   vtkSetVector3Macro(Radiance, double);
   vtkGetVector3Macro(Radiance, double);
   ///@}
 
   ///@{
-  /// A light map as vtkSkylineLightMapReader gives it: "Radiance", three floats a pixel,
-  /// latitude-longitude, the centre column north. Negative and NaN pixels count as 0. Setting one
-  /// sets Source to IMAGE.
+  /// Set/Get a light map as vtkSkylineLightMapReader makes it: the point array "Radiance" with
+  /// three floats per pixel, in latitude-longitude projection, with north in the centre column.
+  /// Negative and NaN pixels count as 0. SetImage also sets Source to IMAGE.
   void SetImage(vtkImageData* image);
   vtkImageData* GetImage();
   ///@}
 
   ///@{
-  /// Degrees by which image and sky are turned clockwise about the vertical, seen from above: the
-  /// map's north comes to this grid azimuth. Default 0.
+  /// Set/Get by how many degrees image or sky are turned clockwise about the vertical, seen from
+  /// above: the north of the map then points to this grid azimuth. The default is 0.
   vtkSetMacro(Rotation, double);
   vtkGetMacro(Rotation, double);
   ///@}
 
   ///@{
-  /// Number of the CIE sky: 1 to 15 of CIE S 011/E:2003, 16 the traditional overcast sky; default 12,
-  /// the clear sky of clean air.
+  /// Set/Get the number of the CIE sky: 1 to 15 of CIE S 011/E:2003, 16 for the traditional
+  /// overcast sky. The default is 12, the clear sky of clean air.
   vtkSetMacro(CieType, int);
   vtkGetMacro(CieType, int);
   ///@}
 
   ///@{
-  /// W/m^2, for PEREZ: the sun's on a plane that faces it, 0 or more, default 800, and the sky's on
-  /// level open ground, above 0, default 100. With the sun on or under the horizon the sky is dark.
+  /// Set/Get the irradiances of PEREZ in W/m^2: DirectIrradiance by the sun on a plane that faces
+  /// it, 0 or more, default 800; DiffuseIrradiance by the sky on level open ground, above 0,
+  /// default 100. If the sun is not above the horizon, the sky is dark.
   vtkSetMacro(DirectIrradiance, double);
   vtkGetMacro(DirectIrradiance, double);
   vtkSetMacro(DiffuseIrradiance, double);
@@ -103,19 +105,19 @@ public:
   ///@}
 
   ///@{
-  /// Where the sun of a CIE or Perez sky stands before Rotation: degrees clockwise from grid north
-  /// (default 315), and apparent elevation (default 45).
+  /// Set/Get the position of the sun in a CIE or Perez sky, before Rotation: azimuth in degrees
+  /// clockwise from grid north (default 315), and apparent elevation in degrees (default 45).
   vtkSetMacro(SunAzimuth, double);
   vtkGetMacro(SunAzimuth, double);
   vtkSetMacro(SunElevation, double);
   vtkGetMacro(SunElevation, double);
   ///@}
 
-  /// The time of the last change of this light or of its image.
+  /// Get the time of the last change of this light or of its image.
   vtkMTimeType GetMTime() override;
 
-  /// What the kernels see, valid until the light changes. Throws std::invalid_argument with a
-  /// one-line reason: no image, no such sky.
+  /// Get the light in the form that the kernels use. It is valid until the light changes. Throws
+  /// std::invalid_argument with a reason of one line if there is no image or no such sky.
   skyline::TurnedLightMap GetLightMap();
 
 protected:
@@ -138,7 +140,7 @@ private:
 
   void FillPixels();
 
-  std::vector<float> Pixels; // of a sky, or of an image that had to be mended
+  std::vector<float> Pixels; // of a sky, or a corrected copy of an image
   bool PixelsAreImage = false;
   vtkMTimeType PixelTime = 0;
 };

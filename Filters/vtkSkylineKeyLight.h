@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkylineKeyLight
- * @brief   a soft lamp in the sky: an even disc of any size, infinitely far away
+ * @brief   a distant, evenly bright disc of any angular radius
  *
- * The key light of Snyder & Nowrouzezahrai 2008, section 6. Its light comes from above the horizontal
- * plane only.
+ * This is the key light of Snyder & Nowrouzezahrai 2008, section 6. Only the part above the
+ * horizontal plane gives light. Values out of range are an error of the filter that uses the light.
  */
 #ifndef vtkSkylineKeyLight_h
 #define vtkSkylineKeyLight_h
@@ -21,8 +21,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Degrees clockwise from grid north (any number of turns; default 315), and elevation, -90 to 90
-  /// degrees (default 45).
+  /// Set/Get the azimuth in degrees clockwise from grid north (any finite number; default 315), and
+  /// the elevation in degrees, -90 to 90 (default 45).
   vtkSetMacro(Azimuth, double);
   vtkGetMacro(Azimuth, double);
   vtkSetMacro(Elevation, double);
@@ -30,14 +30,14 @@ public:
   ///@}
 
   ///@{
-  /// Of the disc, degrees, above 0 to below 90; default 10.
+  /// Set/Get the angular radius of the disc in degrees, above 0 and below 90. The default is 10.
   vtkSetMacro(AngularRadius, double);
   vtkGetMacro(AngularRadius, double);
   ///@}
 
   ///@{
-  /// RGB, 0 or more, of every part of the disc; default 1, 1, 1. On an open plane that faces it the
-  /// disc gives pi sin^2(AngularRadius) of that.
+  /// Set/Get the radiance of the disc: RGB, 0 or more. The default is 1, 1, 1. The irradiance on an
+  /// open plane that faces the disc is pi sin^2(AngularRadius) times this.
   vtkSetVector3Macro(Radiance, double);
   vtkGetVector3Macro(Radiance, double);
   ///@}

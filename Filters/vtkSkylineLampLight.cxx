@@ -12,7 +12,7 @@ void vtkSkylineLampLight::SetMapPosition(vtkImageData* heightField, double x, do
   const skyline::Georeference place = skyline::LoadGeoreference(heightField);
   if (heightField && place.HasGeoTransform)
   {
-    // From the map to posts, and to the image's coordinates.
+    // Converts from the map to posts, and from posts to the coordinates of the image.
     const auto& transform = place.GeoTransform;
     const double column = (x - transform[0]) / transform[1] - 0.5;
     const double down = (y - transform[3]) / transform[5] - 0.5;

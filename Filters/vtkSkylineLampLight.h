@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkylineLampLight
- * @brief   a glowing ball over, on or under the ground
+ * @brief   a glowing ball above, on or below the ground
  *
- * Terrain behind it hides nothing. It shines wherever it is, below the horizontal plane too.
+ * Terrain behind the lamp hides nothing of it. Unlike other lights, a lamp also shines from below
+ * the horizontal plane. Values out of range are an error of the filter that uses the light.
  */
 #ifndef vtkSkylineLampLight_h
 #define vtkSkylineLampLight_h
@@ -22,24 +23,26 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// x and y in the coordinates of the height field's image (origin + spacing x post; the lamp may
-  /// stand beside it), z as its heights, metres. Default 0, 0, 0.
+  /// Set/Get the centre of the ball: x and y in the coordinates of the image of the height field
+  /// (origin + spacing x post), z like the heights, in metres. The lamp may stand outside the
+  /// image. The default is 0, 0, 0.
   vtkSetVector3Macro(Position, double);
   vtkGetVector3Macro(Position, double);
   ///@}
 
-  /// Sets Position from x and y in the coordinate system of the height field's raster (in the image's
-  /// where it has none) and z as its heights, metres.
+  /// Set Position from x and y in the coordinate system of the raster (those of the image if there
+  /// is no georeference), and from z like the heights, in metres.
   void SetMapPosition(vtkImageData* heightField, double x, double y, double z);
 
   ///@{
-  /// Metres, 0 (no light) or more; default 10.
+  /// Set/Get the radius in metres, 0 (no light) or more. The default is 10.
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
   ///@}
 
   ///@{
-  /// RGB, 0 or more, of every point of it to every side; default 1, 1, 1.
+  /// Set/Get the radiance of the surface of the ball, the same in all directions: RGB, 0 or more.
+  /// The default is 1, 1, 1.
   vtkSetVector3Macro(Radiance, double);
   vtkGetVector3Macro(Radiance, double);
   ///@}

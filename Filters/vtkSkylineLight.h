@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkylineLight
- * @brief   something that lights a height field
+ * @brief   base class of the lights that light a height field
  *
- * A light is shared by filters and mappers; each Modified() makes them light anew. Colours are linear
- * RGB. A light that is switched off costs nothing.
+ * Several filters and mappers can share a light; they update after each change of it. Colours are
+ * linear RGB. A light that is switched off costs no time.
  */
 #ifndef vtkSkylineLight_h
 #define vtkSkylineLight_h
@@ -21,7 +21,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Whether it shines; default on.
+  /// Set/Get whether the light is on. The default is on.
   vtkSetMacro(Switch, bool);
   vtkGetMacro(Switch, bool);
   vtkBooleanMacro(Switch, bool);

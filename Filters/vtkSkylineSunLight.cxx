@@ -19,8 +19,7 @@ std::string vtkSkylineSunLight::FindTimeError(const std::string& text)
 {
   try
   {
-    const skyline::SunEphemeris years(
-      skyline::ParseUtcTime(text)); // throws for years that it does not know
+    const skyline::SunEphemeris years(skyline::ParseUtcTime(text)); // throws for years out of range
     return "";
   }
   catch (const std::exception& reason)
@@ -76,7 +75,7 @@ bool vtkSkylineSunLight::FindDirection(vtkImageData* heightField, double directi
   }
   if (!heightField)
   {
-    vtkErrorMacro("no height field: the sun of a time needs a place");
+    vtkErrorMacro("no height field: the sun at a time needs a place; give a height field");
     return false;
   }
   try

@@ -1,29 +1,31 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Horizons, sky view, soft shadows and light of height fields.
 
-Functions from arrays to arrays, whose row 0 is the NORTH edge unless row0="south":
+The functions take arrays and return arrays. Row 0 of an array is its NORTH edge, unless
+row0="south":
 
     import skyline
     sky = skyline.sky_view("dem.tif")                              # a raster that GDAL opens
-    lit = skyline.sun_visibility(z, 30.0, sun=(315.0, 45.0))       # z: heights (rows, columns), metres
+    lit = skyline.sun_visibility(z, 30.0, sun=(315.0, 45.0))       # z: heights in metres
 
-horizon, sky_view, sun_visibility, shadow_height, irradiance, sun_position; read, write, to_image,
-to_array between arrays, rasters and vtkImageData. What fails raises TypeError, ValueError, or
-skyline.Error with the message of the class that failed.
+The functions horizon, sky_view, sun_visibility, shadow_height, irradiance and sun_position compute;
+read, write, to_image and to_array convert between arrays, rasters and vtkImageData. They raise
+TypeError or ValueError for wrong arguments, and skyline.Error with the message of the VTK class
+that failed. Doubtful input raises a UserWarning.
 
-And the VTK classes themselves, which behave like every wrapped class of VTK:
+The VTK classes are also here. They behave like all wrapped classes of VTK:
 
-    reader = skyline.vtkHeightFieldReader()                        # help(skyline.vtkHeightFieldHorizon)
-    skyline.update(reader)                                         # as reader.Update(), but errors are raised
+    reader = skyline.vtkHeightFieldReader()     # see help(skyline.vtkHeightFieldReader)
+    skyline.update(reader)                      # like reader.Update(), but raises errors
 
-skyline.__version__ is the version, "0.2.0" for instance.
+skyline.__version__ is the version, for instance "0.2.0".
 """
 
 from typing import TYPE_CHECKING, Any
 
 from ._built import __version__ as __version__
 from ._native import *  # noqa: F401,F403
-# "as": type checkers hand on only what is renamed.
+# Type checkers export only names that are imported with "as".
 from ._doors import Options as Options
 from ._doors import horizon as horizon
 from ._doors import irradiance as irradiance

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks of what users pass: each message names the value and the cure."""
+"""Checks of arguments. Each message names the value and says what to give instead."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from . import _warnings
 from .SkylineFilters import vtkSkylineSunLight
 
 def short(value: Any) -> str:
-    """The value in one line of a message."""
+    """The value as one short line for a message."""
     text = " ".join(repr(value).split())
     return text if len(text) <= 60 else text[:57] + "..."
 
 
 def number(name: str, value: Any, wanted: str, fits: Any = math.isfinite) -> float:
-    """`value` as a finite float for which fits(value) holds; `wanted` says in words which those are."""
+    """`value` as a finite float for which fits(value) holds; `wanted` describes these in words."""
     if isinstance(value, (bool, np.bool_, str, bytes)):
         raise TypeError(f"{name} is {short(value)}; give {wanted}")
     try:
@@ -34,7 +34,7 @@ def number(name: str, value: Any, wanted: str, fits: Any = math.isfinite) -> flo
 
 
 def numbers(name: str, values: Any, count: int, wanted: str) -> list[float]:
-    """A sequence of `count` finite numbers."""
+    """`values` as a list of `count` finite numbers."""
     try:
         listed = list(values)
     except TypeError:
@@ -45,7 +45,7 @@ def numbers(name: str, values: Any, count: int, wanted: str) -> list[float]:
 
 
 def whole(name: str, value: Any, least: int, most: int) -> int:
-    """A whole number from `least` to `most`."""
+    """`value` as a whole number from `least` to `most`."""
     try:
         result = operator.index(value)
     except TypeError:
@@ -58,14 +58,14 @@ def whole(name: str, value: Any, least: int, most: int) -> int:
 
 
 def flag(name: str, value: Any) -> bool:
-    """True or False; not what merely counts as one: bool("no") is True."""
+    """`value` as a bool. Only True and False are accepted, since bool("no") is True."""
     if not isinstance(value, (bool, np.bool_)):
         raise TypeError(f"{name} is {short(value)}; give True or False")
     return bool(value)
 
 
 def file_name(name: str, value: Any) -> str:
-    """The text of a file's name or path."""
+    """`value`, a file name or path, as text."""
     try:
         text = os.fsdecode(value)
         text.encode()
@@ -79,7 +79,7 @@ def file_name(name: str, value: Any) -> str:
 
 
 def texts(name: str, values: Any, wanted: str) -> list[str]:
-    """A sequence of texts, none empty."""
+    """`values` as a list of texts that are not empty."""
     if isinstance(values, (str, bytes)) or not np.iterable(values):
         raise TypeError(f"{name} is {short(values)}; give {wanted}")
     for value in values:
@@ -89,21 +89,21 @@ def texts(name: str, values: Any, wanted: str) -> list[str]:
 
 
 def choice(name: str, value: Any, choices: Sequence[str]) -> int:
-    """The place of `value` in `choices`."""
+    """The index of `value` in `choices`."""
     if value not in choices:
         raise ValueError(f"{name} is {short(value)}; give {' or '.join(map(repr, choices))}")
     return list(choices).index(value)
 
 
 def color(name: str, value: Any) -> list[float]:
-    """RGB, from one number or three, none negative."""
+    """`value`, one number or three, as RGB; no component may be negative."""
     wanted = "one number or three (red, green, blue), 0 or more"
     rgb = [value] * 3 if np.ndim(value) == 0 else numbers(name, value, 3, wanted)
     return [number(name, part, wanted, lambda part: part >= 0.0) for part in rgb]
 
 
 def direction(name: str, value: Any) -> list[float]:
-    """(azimuth, elevation) in degrees."""
+    """`value` as [azimuth, elevation] in degrees."""
     wanted = "(azimuth, elevation) in degrees, the elevation from -90 to 90"
     azimuth, elevation = numbers(name, value, 2, wanted)
     number(name + "[1]", elevation, wanted, lambda degrees: abs(degrees) <= 90.0)
@@ -111,10 +111,10 @@ def direction(name: str, value: Any) -> list[float]:
 
 
 def moment(value: Any) -> str:
-    """A time in UTC as ISO 8601 text, which the classes read."""
+    """`value`, a time, as ISO 8601 text that the classes can read."""
     if isinstance(value, datetime.datetime):
         if value.tzinfo is None:
-            raise ValueError(f"time {value} has no zone; give tzinfo=datetime.timezone.utc")
+            raise ValueError(f"time {value} has no time zone; give tzinfo=datetime.timezone.utc")
         value = value.astimezone(datetime.timezone.utc).replace(tzinfo=None)
         return value.isoformat(timespec="milliseconds") + "Z"
     if isinstance(value, np.datetime64):
@@ -127,7 +127,7 @@ def moment(value: Any) -> str:
 
 
 def _moment_text(text: str) -> str:
-    """Text that the classes read; a ValueError for other text, a warning where no zone is named."""
+    """Checks a time given as text; adds UTC, with a warning, if it names no time zone."""
     if vtkSkylineSunLight.FindTimeError(text):
         raise ValueError(
             f"time is {short(text)}, which is not a time from 1900 to 2100; give one such as "
@@ -135,5 +135,5 @@ def _moment_text(text: str) -> str:
     if vtkSkylineSunLight.NamesZone(text):
         return text
     in_utc = text + ("Z" if ":" in text else "T00:00Z")
-    _warnings.doubt(f"the time {text} has no zone", "UTC", f"time='{in_utc}'")
+    _warnings.doubt(f"the time {text} has no time zone", "UTC", f"time='{in_utc}'")
     return in_utc

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Arrays in, arrays out: one function a quantity."""
+"""The functions of the package: arrays in, arrays out, one function per quantity."""
 
 from __future__ import annotations
 
@@ -36,15 +36,23 @@ _QUANTITIES = (
 
 
 class Options(TypedDict, total=False):
-    """What every function takes, by name.
+    """Keyword arguments that all functions on heights accept.
 
-    row0, crs, transform, nodata   as in to_image; of a file: nodata as in read, and no other
-    scalars    name of an image's heights; default its active scalars
-    method     "exact" (default), "fast" (below the horizon by 0.25 degrees at most, by how much depends
-               on the processor), "sweep", "pyramid"
-    surface    "triangles" (default) or "bilinear"
-    flat       True leaves curvature and refraction out; default False
-    allow_network, allow_elsewhere, drivers   of a file, as in read
+    row0
+        "north" (default) or "south": the edge at which row 0 of arrays lies.
+    crs, transform, nodata
+        See to_image. For a file only nodata, as in read; for an image none of them.
+    scalars
+        Name of the point array with the heights of an image. Default: its active scalars.
+    method
+        How horizons are found: "exact" (default); "fast", at most 0.25 degrees below the exact
+        horizon, by how much depends on the processor; "sweep"; or "pyramid".
+    surface
+        The surface between the posts: "triangles" (default) or "bilinear".
+    flat
+        True ignores curvature and refraction. Default False.
+    allow_network, allow_elsewhere, drivers
+        For a file; see read.
     """
 
     row0: Row0
@@ -62,7 +70,7 @@ class Options(TypedDict, total=False):
 
 @dataclass
 class _Terrain:
-    """The image that a filter takes, and how its result goes back."""
+    """The image that a filter uses, and how its result is returned."""
 
     image: vtkImageData
     row0: Row0
@@ -121,9 +129,9 @@ def _terrain(
         image.GetPointData().GetArray(scalars))
     if array is None:
         raise ValueError(
-            f"the image has no {_quoted(scalars)}; name its heights by scalars=: {_names(image)}")
+            f"the image has no {_quoted(scalars)}; choose its heights by scalars=: {_names(image)}")
     if array.GetName() is None:
-        copy = vtkImageData()  # the user's image keeps its nameless array
+        copy = vtkImageData()  # the array in the user's image stays without a name
         copy.ShallowCopy(image)
         array = array.NewInstance()
         array.ShallowCopy(image.GetPointData().GetScalars())
@@ -131,7 +139,8 @@ def _terrain(
         copy.GetPointData().SetScalars(array)
         image = copy
     if method in ("sweep", "pyramid") and surface == "bilinear":
-        raise ValueError(f"surface is 'bilinear', which {method!r} does not know; give method='exact' or 'fast'")
+        raise ValueError(
+            f"surface is 'bilinear', which the method {method!r} does not support; give 'exact' or 'fast'")
     return _Terrain(
         image, row0, as_image, array.GetName(), _check.choice("method", method, _METHODS),
         _check.choice("surface", surface, _SURFACES), _check.flag("flat", flat))
@@ -144,19 +153,39 @@ def horizon(z: Heights, spacing: Spacing | None = None, azimuths: int = 72,
 def horizon(z: vtkImageData, spacing: None = None, azimuths: int = 72,
             **options: Unpack[Options]) -> vtkImageData: ...
 def horizon(z: Any, spacing: Any = None, azimuths: int = 72, **options: Unpack[Options]) -> Any:
-    """The horizon all around every post; z's row 0 is its NORTH edge, or its south one by row0="south".
+    """Compute the horizon around each post. Row 0 of z is its NORTH edge (see row0).
 
-    z          array (rows, columns) of heights, metres; the name of a raster file; or a vtkImageData
-    spacing    metres between posts, one number or (dx, dy); none with a file, an image or a transform
-    azimuths   how many, evenly spread; 1 to 3600
-    options    row0, crs, transform, nodata, method, surface, flat: see skyline.Options
+    Parameters
+    ----------
+    z : array (rows, columns), file name or vtkImageData
+        Heights in metres, one per post; or the name of a raster file; or an image with heights.
+    spacing : float or (float, float)
+        Metres between posts: one number, or (dx, dy). Leave it out for a file, for an image, and if
+        a transform is given.
+    azimuths : int
+        Number of evenly spaced azimuths, 1 to 3600. Default 72.
+    **options
+        row0, crs, transform, nodata, scalars, method, surface, flat and others: see
+        skyline.Options.
 
-    Returns float32 (rows, columns, azimuths), rows as z has them: degrees above the horizontal plane,
-    component k in azimuth 360 k / azimuths, clockwise from grid north (the grid's up); -90 where no
-    terrain lies there, NaN at missing posts. For a vtkImageData, that image with the point array
-    HorizonElevation. Raises TypeError, ValueError or skyline.Error, which name value and cure.
+    Returns
+    -------
+    float32 array (rows, columns, azimuths)
+        The elevation angle of the horizon in degrees above the horizontal plane. Component k is
+        that in the azimuth 360 k / azimuths, clockwise from grid north (up in the grid). It is -90
+        where no terrain lies in the azimuth, and NaN at missing posts. Rows are in the order of z.
+        For a vtkImageData the result is that image with the point array HorizonElevation.
 
-    A wall in the north, ten metres high and ten away:
+    Raises
+    ------
+    TypeError, ValueError
+        An argument is wrong. The message has the value, and says what to give instead.
+    skyline.Error
+        A file cannot be read, or the computation failed.
+
+    Examples
+    --------
+    A wall in the north, 10 metres high and 10 metres away:
 
     >>> z = [[10, 10, 10],
     ...      [0, 0, 0],
@@ -189,24 +218,43 @@ def sky_view(
     quantity: str | Names = "SkyViewFactor", *, edge_distance: float | None = None,
     **options: Unpack[Options],
 ) -> Any:
-    """How much sky every post sees; z's row 0 is its NORTH edge, or its south one by row0="south".
+    """Compute how much of the sky each post sees. Row 0 of z is its NORTH edge (see row0).
 
-    z, spacing, azimuths, options   as in horizon
-    quantity   "SkyViewFactor" (cosine-weighted, on the tilted surface, 0 to 1),
-               "SkyViewFactorHorizontal" (the same on a level surface), "VisibleSkyFraction" (of the
-               upper hemisphere's solid angle), "PositiveOpenness" (degrees), or "EdgeTrust" (the share
-               of the azimuths in which the data reach at least edge_distance). Several, as a list, take
-               one search.
-    edge_distance   of EdgeTrust: metres, 0 (any terrain at all) or more; default 1000, or a tenth of the
-               shorter side if that is less
+    Parameters
+    ----------
+    z, spacing, azimuths, **options
+        See skyline.horizon.
+    quantity : str, or list of str
+        "SkyViewFactor" (default): the cosine-weighted share of the sky, tilted surface, 0 to 1.
+        "SkyViewFactorHorizontal": the same for a level surface.
+        "VisibleSkyFraction": the share of the solid angle of the upper hemisphere, 0 to 1.
+        "PositiveOpenness": the mean zenith angle of the horizon in degrees, 0 to 180.
+        "EdgeTrust": the share of the azimuths in which the data reach edge_distance, 0 to 1.
+        Several quantities in a list take only one search.
+    edge_distance : float
+        For EdgeTrust: metres, 0 (any terrain at all) or more. Default: 1000, or a tenth of the
+        shorter side of the height field if that is less.
 
-    Beyond the data nothing is known: where no terrain lies the horizon is -90 degrees, so posts near the
-    rim see too much (openness of level ground: 90, at an edge 135). Keep those with EdgeTrust 1.
+    Returns
+    -------
+    float32 array (rows, columns)
+        NaN at missing posts; rows in the order of z. For a list of quantities, a dictionary from
+        the names to such arrays. For a vtkImageData, that image with point arrays of these names.
 
-    Returns float32 (rows, columns), rows as z has them, NaN at missing posts; for a list of quantities
-    a dictionary of them. For a vtkImageData, that image with the point arrays of these names.
+    Raises
+    ------
+    TypeError, ValueError, skyline.Error
+        See skyline.horizon.
 
-    >>> float(sky_view([[5, 5], [5, 5]], 30.0)[0, 0])  # level ground sees all of it
+    Notes
+    -----
+    Nothing is assumed beyond the edge of the data: where no terrain lies in a direction, the
+    horizon is -90 degrees. Therefore posts near the edge see too much sky: on level ground
+    PositiveOpenness is 90, but 135 at an edge. Use only posts with EdgeTrust 1.
+
+    Examples
+    --------
+    >>> float(sky_view([[5, 5], [5, 5]], 30.0)[0, 0])  # level ground sees the whole sky
     1.0
     """
     terrain = _terrain(z, spacing, **options)
@@ -224,7 +272,7 @@ def sky_view(
         getattr(filter_, "Set" + name)(name in wanted)
     if edge_distance is not None:
         if "EdgeTrust" not in wanted:
-            raise ValueError('edge_distance is for the quantity "EdgeTrust"; ask for it too')
+            raise ValueError('edge_distance is for the quantity "EdgeTrust" only; add that quantity')
         filter_.AutoEdgeDistanceOff()
         filter_.SetEdgeDistance(_check.number(
             "edge_distance", edge_distance, "metres, 0 or more", lambda d: d >= 0.0))
@@ -246,19 +294,40 @@ def sun_visibility(
     z: Any, spacing: Any = None, sun: Any = None, *, time: Any = None, radius: float | None = None,
     limb_darkening: bool = False, **options: Unpack[Options],
 ) -> Any:
-    """The lit part of the sun's disc at every post; z's row 0 is its NORTH edge (else row0="south").
+    """Compute the visible part of the sun's disc. Row 0 of z is its NORTH edge (see row0).
 
-    z, spacing, options   as in horizon
-    sun        (azimuth, elevation), degrees: clockwise from grid north, apparent elevation
-    time       in place of `sun`: "2026-06-21T06:00Z" or as Python and pandas print it (without a zone:
-               UTC, with a warning), a datetime with a zone, or numpy.datetime64 (UTC); 1900 to 2100. Needs a place: a file, an image from read, or crs and transform
-    radius     of the disc, degrees, 0 (hard shadows) to below 90; default 0.26645, with time the true one
-    limb_darkening   let the disc darken towards its limb
+    Parameters
+    ----------
+    z, spacing, **options
+        See skyline.horizon.
+    sun : (float, float)
+        Azimuth of the sun in degrees clockwise from grid north, and its apparent elevation in
+        degrees, -90 to 90. Give either sun or time.
+    time : str, datetime or numpy.datetime64
+        Time of the sun, in the years 1900 to 2100: text such as "2026-06-21T06:00Z" or as Python
+        and pandas print it, a datetime with a time zone, or numpy.datetime64 (UTC). A text without
+        a time zone is taken as UTC, with a warning. The heights need a place on the Earth: a file,
+        an image from read, or crs and transform.
+    radius : float
+        Angular radius of the disc in degrees, 0 (hard shadows) to below 90. Default: the true
+        radius with time, otherwise 0.26645.
+    limb_darkening : bool
+        Whether the disc is darker towards its edge. Default False.
 
-    Returns float32 (rows, columns), 0 (shadow) to 1, rows as z has them, NaN at missing posts. For a
-    vtkImageData, that image with the point array SunVisibility.
+    Returns
+    -------
+    float32 array (rows, columns)
+        0 (in shadow) to 1; NaN at missing posts; rows in the order of z. For a vtkImageData, that
+        image with the point array SunVisibility.
 
-    The sun in the west, beyond a wall in column 2, whose shadow is 84 m long:
+    Raises
+    ------
+    TypeError, ValueError, skyline.Error
+        See skyline.horizon.
+
+    Examples
+    --------
+    The sun in the west, behind a wall in column 2 whose shadow is 84 m long:
 
     >>> z = np.zeros((3, 20))
     >>> z[:, 2] = 100.0
@@ -293,16 +362,33 @@ def shadow_height(
     z: Any, spacing: Any = None, *, sun: Any = None, time: Any = None, below_terrain: bool = False,
     **options: Unpack[Options],
 ) -> Any:
-    """How high the terrain's shadow stands over every post; z's row 0 is its NORTH edge (else row0).
+    """Compute how high the shadow of the terrain reaches. Row 0 of z is its NORTH edge (see row0).
 
-    z, spacing, options   as in horizon
-    sun, time      as in sun_visibility; at a time, all posts have the sun over the middle
-    below_terrain  tell also how far below the ground the shadow passes where the post is lit; else
-                   there it is the post's own height
+    Parameters
+    ----------
+    z, spacing, **options
+        See skyline.horizon. The method "pyramid" and the surface "bilinear" have no shadow heights.
+    sun, time
+        See skyline.sun_visibility. With time, all posts have the sun over the middle of the raster.
+    below_terrain : bool
+        If True, the result at lit posts is the height at which the shadow passes below the ground.
+        If False (default), it is the height of the post.
 
-    Returns float32 (rows, columns), metres in the frame of the heights, rows as z has them; with
-    the sun on or under the horizontal plane plus infinity, with a warning (write makes it nodata). For a vtkImageData, that image with ShadowHeight.
+    Returns
+    -------
+    float32 array (rows, columns)
+        A point above the post is in shadow if it is lower than this height, in metres in the frame
+        of the heights. Rows are in the order of z; NaN at missing posts. If the sun is not above
+        the horizontal plane, all values are infinite, with a warning; write turns them into nodata.
+        For a vtkImageData, that image with the point array ShadowHeight.
 
+    Raises
+    ------
+    TypeError, ValueError, skyline.Error
+        See skyline.horizon.
+
+    Examples
+    --------
     >>> z = np.zeros((2, 6))
     >>> z[:, 0] = 30.0
     >>> shadow_height(z, 10.0, sun=(270.0, 45.0))[0]
@@ -339,27 +425,55 @@ def irradiance(
     rotation: float = 0.0, azimuths: int = 128, horizontal: bool = False,
     light_method: str = "table", **options: Unpack[Options],
 ) -> Any:
-    """The light that falls on every post; z's row 0 is its NORTH edge, or its south one by row0="south".
+    """Compute the light that falls on each post. Row 0 of z is its NORTH edge (see row0).
 
-    z, spacing, options   as in horizon
-    environment    the sky: "uniform" (radiance 1), "cie:1" to "cie:16" (radiance 1 in the zenith),
-                   "perez:DIRECT,DIFFUSE" (W/m2; its sun, which must be given, shines too), a .hdr or .exr file, or a light map
-                   (rows, 2 rows, 3): linear RGB, row 0 the zenith, the centre column north. Default
-                   "uniform" if there is no other light
-    sun, time      where the sun stands, as in sun_visibility; the sun of a sky too
-    sun_irradiance on a plane that faces it, one number or RGB; default 1, with perez: DIRECT
-    radius         of its disc, degrees, as in sun_visibility
-    lamps          glowing balls (x, y, z, radius) or (x, y, z, radius, red, green, blue): x and y in the
-                   CRS, without one metres from the south-west post; z and radius in metres; radiance 1
-    lights         further vtkSkylineLight objects
-    rotation       degrees by which a light map, or a sky that is brighter about its sun, is turned clockwise
-    azimuths       evenly spread; more are added where a light map is bright
-    horizontal     level receivers in place of the posts' own planes
-    light_method   "table", or "sh": spherical harmonics, a blur
+    Parameters
+    ----------
+    z, spacing, **options
+        See skyline.horizon.
+    environment : str, file name, array or vtkImageData
+        The sky: "uniform" (radiance 1); "cie:1" to "cie:16" (radiance 1 at the zenith);
+        "perez:DIRECT,DIFFUSE" (W/m2; its sun must be given and shines too); the name of a .hdr or
+        .exr file; or a light map as an array (rows, 2 rows, 3) of linear RGB, with the zenith in
+        row 0 and north in the centre column. Default: "uniform" if there is no other light,
+        otherwise none.
+    sun, time
+        The position of the sun, also of the sun in the sky: see skyline.sun_visibility.
+    sun_irradiance : float or (float, float, float)
+        Irradiance by the sun on a plane that faces it, as one number or RGB. Default: 1; for perez,
+        DIRECT.
+    radius : float
+        Angular radius of the sun: see skyline.sun_visibility.
+    lamps : list of tuples
+        Glowing balls (x, y, z, radius) or (x, y, z, radius, red, green, blue). x and y are in the
+        CRS; without a CRS they are metres from the south-west post. z and radius are metres. The
+        radiance is 1 by default.
+    lights : list of vtkSkylineLight
+        Further lights.
+    rotation : float
+        Degrees by which a light map, or a sky that is brighter around its sun, is turned clockwise.
+        Default 0.
+    azimuths : int
+        Number of evenly spaced azimuths, 1 to 3600. More are added where a light map is bright.
+        Default 128.
+    horizontal : bool
+        If True, the light on level receivers instead of on the tilted surface. Default False.
+    light_method : str
+        "table" (default), or "sh" for spherical harmonics, which blur the light.
 
-    Returns float32 (rows, columns, 3), linear RGB, rows as z has them, NaN at missing posts. For a
-    vtkImageData, that image with the point array Irradiance.
+    Returns
+    -------
+    float32 array (rows, columns, 3)
+        Linear RGB; NaN at missing posts; rows in the order of z. For a vtkImageData, that image
+        with the point array Irradiance.
 
+    Raises
+    ------
+    TypeError, ValueError, skyline.Error
+        See skyline.horizon.
+
+    Examples
+    --------
     >>> float(irradiance([[5, 5], [5, 5]], 30.0, sun=(180.0, 30.0), sun_irradiance=800.0)[0, 0, 0])
     400.0
     """
@@ -385,7 +499,7 @@ def irradiance(
     if direction is None:
         for name, value in {"sun_irradiance": sun_irradiance, "radius": radius}.items():
             if value is not None:
-                raise ValueError(f"{name} is given, but no sun shines; give sun or time")
+                raise ValueError(f"{name} is given, but no sun is given; give sun or time")
     if environment is None and direction is None and not lights and light_method == "sh":
         raise ValueError("light_method is 'sh', which lamps do not use; leave it out")
     if environment is not None:
@@ -397,7 +511,7 @@ def irradiance(
         if rotation != 0.0 and sky.GetSource() != sky.IMAGE and np.any(
                 np.asarray(1.0 if sun_irradiance is None else sun_irradiance)):
             _warnings.doubt(
-                f"rotation turns the sky {environment}, which is brighter about the sun, away from the sun",
+                f"rotation turns the sky {environment}, which is brighter around the sun, away from the sun",
                 "a sky that does not belong to the sun")
     strength = 1.0 if sun_irradiance is None else sun_irradiance
     if time is not None:
@@ -412,17 +526,32 @@ def irradiance(
 def sun_position(
     place: FileName | vtkImageData, time: Any, *, nodata: Nodata = None
 ) -> _lights.SunPosition:
-    """Where the sun stands over the middle of a raster: azimuth, elevation, angular radius; degrees.
+    """Compute where the sun stands over the middle of a raster.
 
-    place   the name of a raster file with a CRS, or an image that read or to_image gave
-    time    as in sun_visibility
-    nodata  of a file, as in read
+    Parameters
+    ----------
+    place : file name or vtkImageData
+        The name of a raster file with a CRS, or an image from read or to_image.
+    time : str, datetime or numpy.datetime64
+        See skyline.sun_visibility.
+    nodata : float, or list of float
+        For a file; see skyline.read.
 
-    The azimuth counts clockwise from grid north, the elevation is apparent (lifted by the air): what
-    `sun` takes elsewhere. In an eclipse of the sun the tuple also says so, by its attributes magnitude
-    (the covered part of the diameter) and obscuration (the share of the disc that the Moon covers, 0 to
-    1), which are 0 at other times.
+    Returns
+    -------
+    tuple (azimuth, elevation, radius)
+        In degrees. The azimuth counts clockwise from grid north; the elevation is apparent, that is
+        with refraction. Other functions accept them as `sun`. The attributes magnitude (the covered
+        part of the sun's diameter) and obscuration (the covered share of the disc, 0 to 1) describe
+        an eclipse of the sun; they are 0 at other times.
 
+    Raises
+    ------
+    TypeError, ValueError, skyline.Error
+        See skyline.horizon; also if the place has no CRS on the Earth.
+
+    Examples
+    --------
     >>> azimuth, elevation, radius = sun_position("Testing/Data/dem/SainteHelens.tif", "2026-06-21T20:00Z")
     >>> round(azimuth), round(elevation)
     (173, 67)

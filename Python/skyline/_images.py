@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""numpy arrays as height fields of VTK and back; rasters read and written."""
+"""Conversion of numpy arrays to height fields of VTK and back; reading and writing of rasters."""
 
 from __future__ import annotations
 
@@ -33,24 +33,44 @@ def to_image(
     transform: Any = None,
     nodata: Nodata = None,
 ) -> vtkImageData:
-    """The height field of an array whose row 0 is its NORTH edge, as rasterio and GDAL read rasters.
+    """Make a height field from an array. Row 0 of z is its NORTH edge, as in rasterio and GDAL.
 
-    row0="south" turns that round; column 0 is the west edge always.
+    Parameters
+    ----------
+    z : array (rows, columns)
+        Heights in metres, integers or floats, at least 2 x 2 posts. Column 0 is the west edge. NaN,
+        infinite and masked posts are missing.
+    spacing : float or (float, float)
+        Metres between columns and between rows: one number, or (dx, dy), above 0. Leave it out if a
+        transform is given.
+    row0 : str
+        "north" (default) or "south": the edge at which row 0 of z lies.
+    crs : str, int or object
+        "EPSG:25830", WKT, an EPSG number, or a CRS object of rasterio or pyproj. It is needed for
+        curvature, refraction, true north and the sun at a time. It needs a transform.
+    transform : Affine or six floats
+        The transform of rasterio, or the six numbers of GDAL's GetGeoTransform, in units of the
+        CRS.
+    nodata : float, or list of float
+        The value or values in z that mark missing posts.
 
-    z          (rows, columns), at least 2 x 2, integers or floats, metres upwards. NaN, infinite and
-               masked posts are missing.
-    spacing    metres between columns and rows: one number, or (dx, dy), both above 0. Left out where
-               `transform` says it.
-    crs        "EPSG:25830", WKT, an EPSG number, or an object of rasterio or pyproj. Brings curvature,
-               refraction, true north and the sun by time. Needs `transform`.
-    transform  of rasterio (affine), or the six numbers of GDAL's GetGeoTransform, in units of the CRS.
-    nodata     the value of missing posts, or several, if z holds such.
+    Returns
+    -------
+    vtkImageData
+        The heights are its point scalars "Elevation". Its row 0 is the south edge. It shares the
+        memory of z if row0 is "south", z is contiguous, and no post is missing by mask or nodata;
+        otherwise it holds a copy.
 
-    The image's row 0 is the south edge, its point scalars are "Elevation". It shares the memory of z if
-    row0 is "south", z is contiguous and nothing in it is missing by mask or nodata; else it holds a copy.
-    Raises TypeError, ValueError or skyline.Error, which name the value and the cure.
+    Raises
+    ------
+    TypeError, ValueError
+        An argument is wrong. The message has the value, and says what to give instead.
+    skyline.Error
+        The place cannot be used.
 
-    >>> image = to_image([[3, 4], [1, 2]], 10.0)  # 1 and 2 lie in the south
+    Examples
+    --------
+    >>> image = to_image([[3, 4], [1, 2]], 10.0)  # 1 and 2 are in the south
     >>> image.GetDimensions(), image.GetSpacing()
     ((2, 2, 1), (10.0, 10.0, 1.0))
     >>> [image.GetScalarComponentAsDouble(x, 0, 0, 0) for x in (0, 1)]
@@ -85,11 +105,29 @@ def to_image(
 def to_array(
     image: vtkImageData, name: str | None = None, *, row0: Row0 = "north"
 ) -> NDArray[Any]:
-    """A point array of an image, (rows, columns) or (rows, columns, components), row 0 = NORTH edge.
+    """Return a point array of an image as a numpy array. Row 0 is the NORTH edge (see row0).
 
-    row0="south" keeps VTK's own order. `name`: default the active scalars. A view of the image's
-    memory, never a copy.
+    Parameters
+    ----------
+    image : vtkImageData
+        An image with one slice.
+    name : str
+        Name of the point array. Default: the active scalars.
+    row0 : str
+        "north" (default), or "south" for the row order of VTK.
 
+    Returns
+    -------
+    array (rows, columns) or (rows, columns, components)
+        A view of the memory of the image, never a copy.
+
+    Raises
+    ------
+    TypeError, ValueError
+        An argument is wrong, or there is no such array.
+
+    Examples
+    --------
     >>> to_array(to_image([[3, 4], [1, 2]], 10.0))
     array([[3, 4],
            [1, 2]])
@@ -118,17 +156,39 @@ def read(
     allow_elsewhere: bool = False,
     drivers: Sequence[str] = (),
 ) -> vtkImageData:
-    """A raster that GDAL opens as a height field in metres, with its place: point scalars "Elevation".
+    """Read a raster as a height field. Row 0 of to_array(image) is the NORTH edge.
 
-    nodata   a value of missing posts, or several, besides the one that the file declares; as the file
-             has them, before its scale and unit
+    Parameters
+    ----------
+    file : file name
+        A raster that GDAL can open.
+    band : int
+        Band of the raster, from 1 (default).
+    nodata : float, or list of float
+        Values of missing posts besides the nodata value that the file declares, as they are in the
+        file, before its scale and unit.
+    allow_network : bool
+        True allows a file on a server, or one that leads to a server. Default False.
+    allow_elsewhere : bool
+        True allows a file that leads to files outside its own folder. Default False.
+    drivers : list of str
+        Short names of GDAL drivers that may open the file, besides those of local rasters.
 
-    to_array(image) gives the heights, row 0 = NORTH edge. Raises skyline.Error, naming the file.
+    Returns
+    -------
+    vtkImageData
+        The heights in metres are its point scalars "Elevation"; its field data have the
+        georeference.
 
-    allow_network    True lets the file be on a server, or lead to one; default False
-    allow_elsewhere  True lets it lead to files outside its own folder; default False
-    drivers          GDAL's short names of drivers that may open it, beside those of local rasters
+    Raises
+    ------
+    TypeError, ValueError
+        An argument is wrong.
+    skyline.Error
+        The file cannot be read. The message names the file.
 
+    Examples
+    --------
     >>> image = read("Testing/Data/dem/SainteHelens.tif")
     >>> to_array(image).shape
     (468, 327)
@@ -158,18 +218,35 @@ def write(
     transform: Any = None,
     nodata: float | None = None,
 ) -> None:
-    """Writes an array (row 0 = NORTH edge, the top; else row0="south") as a raster or a picture.
+    """Write an array as a raster or a picture. Row 0 of the array is the NORTH edge (see row0).
 
-    file    a GeoTIFF; or .png (unsigned 8 bits) or .exr (floats): a picture of 1, 3 or 4 bands, which
-            needs no place. Complete or not at all.
-    values  (rows, columns), or (rows, columns, bands); or an image, whose point arrays `names`
-            (default: the active scalars) become bands.
-    like    what gives the place: a raster's file name or an image with as many posts. Without it
-            `spacing`, or `transform` and `crs`, as in to_image.
-    names   of the bands of an array.
+    Parameters
+    ----------
+    file : file name
+        A GeoTIFF (.tif); or a picture of 1, 3 or 4 bands, which needs no place: .png (unsigned 8
+        bits) or .exr (floats). If writing fails, no file is left.
+    values : array (rows, columns) or (rows, columns, bands), or vtkImageData
+        The values. Of an image, the point arrays `names` become bands (default: the active
+        scalars).
+    like : file name or vtkImageData
+        A raster or an image with as many posts, which gives the place. Without it, give spacing, or
+        transform and crs.
+    names : str or list of str
+        Names of the bands of an array, or of the point arrays of an image.
+    spacing, row0, crs, transform
+        See skyline.to_image.
+    nodata : float
+        The value for missing posts in the file.
 
-    Raises TypeError, ValueError or skyline.Error, which name the value and the cure.
+    Raises
+    ------
+    TypeError, ValueError
+        An argument is wrong. The message has the value, and says what to give instead.
+    skyline.Error
+        The file cannot be written.
 
+    Examples
+    --------
     >>> import tempfile
     >>> sky = np.linspace(0.0, 1.0, 6, dtype=np.float32).reshape(2, 3)
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -207,7 +284,7 @@ def write(
 def _grid(
     values: Any, like: Any, spacing: Any, row0: Row0, crs: Any, transform: Any
 ) -> vtkImageData:
-    """An image with the values as point scalars."""
+    """An image with the values as its point scalars."""
     south = bool(_check.choice("row0", row0, ("north", "south")))
     grid = _numeric("values", values)
     if grid.ndim not in (2, 3) or 0 in grid.shape:
@@ -224,7 +301,7 @@ def _grid(
     if grid.shape[:2] != (rows, columns):
         raise ValueError(
             f"values has the shape {grid.shape}, but its place has {rows} rows and {columns} "
-            "columns; give arrays of the same posts")
+            "columns; give an array with the same posts")
     image = vtkImageData()
     image.CopyStructure(place)
     image.GetFieldData().ShallowCopy(place.GetFieldData())
@@ -236,7 +313,7 @@ def _grid(
 
 def _name_bands(writer: vtkHeightFieldWriter, names: list[str], bands: int) -> None:
     if names and len(names) != bands:
-        raise ValueError(f"names has {len(names)} texts for {bands} bands; give one a band")
+        raise ValueError(f"names has {len(names)} entries for {bands} bands; give one per band")
     for band, name in enumerate(names, 1):
         writer.SetBandDescription(band, name)
 
@@ -252,7 +329,7 @@ def _names(image: vtkImageData) -> str:
 
 
 def _numeric(name: str, values: Any) -> NDArray[Any]:
-    """An array of integers or floats in the byte order of this machine."""
+    """`values` as an array of integers or floats in the byte order of this machine."""
     try:
         array = values if isinstance(values, np.ma.MaskedArray) else np.asarray(values)
     except ValueError:
@@ -269,7 +346,7 @@ def _numeric(name: str, values: Any) -> NDArray[Any]:
 
 
 def _missing(nodata: Any) -> list[float]:
-    """The values of missing posts."""
+    """`nodata` as a list of the values of missing posts."""
     values = [] if nodata is None else [nodata] if np.ndim(nodata) == 0 else list(nodata)
     for value in values:
         if np.ndim(value) != 0 or isinstance(value, (str, bytes, bool)):
@@ -278,15 +355,15 @@ def _missing(nodata: Any) -> list[float]:
 
 
 def _heights(z: Any, nodata: list[float]) -> NDArray[Any]:
-    """Heights with NaN for missing posts."""
+    """`z` as an array of heights, with NaN for missing posts."""
     array = _numeric("z", z)
     if array.ndim != 2 or min(array.shape) < 2:
         raise ValueError(f"z has the shape {array.shape}; give (rows, columns), at least 2 x 2")
-    masks: Any = np.ma  # whose functions have no hints everywhere
+    masks: Any = np.ma  # some of its functions have no type hints
     missing = masks.getmaskarray(array) if isinstance(array, np.ma.MaskedArray) else None
     array = np.asarray(array)
     for value in nodata:
-        # In the array's own digits, as the file has it; integers hold no fraction.
+        # Compares with the precision of the array, which may have read the value from a file.
         with np.errstate(over="ignore"):
             absent = array == (np.float32(value) if array.dtype == np.float32 else value)
         missing = absent if missing is None else missing | absent
@@ -306,9 +383,9 @@ def _metres(spacing: Any) -> list[float]:
 
 
 def _six(transform: Any, rows: int, south: bool) -> list[float]:
-    """GDAL's numbers of the raster whose row 0 is the northern one."""
+    """`transform` as the six numbers of GDAL for the raster with row 0 in the north."""
     wanted = "rasterio's transform or the six numbers of GDAL's GetGeoTransform"
-    if all(hasattr(transform, part) for part in "abcdef"):  # rasterio's
+    if all(hasattr(transform, part) for part in "abcdef"):  # that of rasterio
         six = [float(getattr(transform, part)) for part in "cabfde"]
     else:
         six = _check.numbers("transform", transform, 6, wanted)
@@ -316,7 +393,7 @@ def _six(transform: Any, rows: int, south: bool) -> list[float]:
     if not np.isfinite(six).all() or shear != 0.0 or turn != 0.0 or dx <= 0.0 or dy == 0.0:
         raise ValueError(
             f"transform is {tuple(six)} in GDAL's order (x0, dx, 0, y0, 0, dy); give {wanted}, "
-            "not turned, its columns running east")
+            "without rotation, with columns from west to east")
     if (dy > 0.0) != south:
         order, other = ("south", "north") if dy > 0.0 else ("north", "south")
         raise ValueError(
@@ -341,7 +418,7 @@ def _crs_text(crs: Any) -> str:
 
 
 def _place(rows: int, columns: int, crs: Any, six: list[float]) -> vtkImageData:
-    """An image with the place that the reader gives a raster of that transform and CRS."""
+    """An image with the place that the reader gives to a raster with that transform and CRS."""
     text = _crs_text(crs)
     raster = "<VRTDataset rasterXSize='%d' rasterYSize='%d'><SRS>%s</SRS><GeoTransform>%s" % (
         columns, rows, escape(text), ",".join(repr(part) for part in six))
@@ -375,7 +452,7 @@ def _store(data: vtkDataObject, name: str, values: list[float]) -> None:
 
 
 def _to_vtk(values: NDArray[Any]) -> Any:
-    """The array's posts in VTK's order; shares memory where they lie in it so already."""
+    """A VTK array with one tuple per post; shares the memory of `values` where possible."""
     flat = values.reshape((-1,) + values.shape[2:])
     if not flat.flags.writeable or not flat.flags.c_contiguous:
         flat = flat.copy()

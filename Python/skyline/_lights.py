@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Lights as users write them, made into classes."""
+"""Turns lights in the form of arguments into light objects."""
 
 from __future__ import annotations
 
@@ -37,12 +37,13 @@ def environment_light(environment: Any, rotation: Any, sun: Any) -> vtkSkylineEn
         light.SetImage(_light_map(environment))
     if rotation != 0.0 and light.IsSameAllAround():
         raise ValueError(
-            f"rotation is {rotation:g}, but this sky is the same all around; leave it out, or give a light map")
+            f"rotation is {rotation:g}, but this sky is the same all around; "
+            "leave it out, or give a light map")
     return light
 
 
 def _set_sky(light: vtkSkylineEnvironmentLight, name: str, sun: Any) -> None:
-    """The sky of a name, or the light map of a file."""
+    """Sets a sky given as text, or the light map of a file."""
     try:
         with reported(light):
             by_formula = light.SetSky(name)
@@ -58,15 +59,15 @@ def _set_sky(light: vtkSkylineEnvironmentLight, name: str, sun: Any) -> None:
         light.SetSunElevation(sun[1])
     elif light.GetSource() == light.PEREZ:
         raise ValueError(
-            f"environment is {name!r}, a sky of the sun; give sun=(azimuth, elevation) or time")
+            f"environment is {name!r}, which needs a sun; give sun=(azimuth, elevation) or time")
     elif not light.IsSameAllAround():
         _warnings.doubt(
-            f"the sky {name} is brighter about the sun, and no sun is given",
+            f"the sky {name} is brighter around the sun, and no sun is given",
             "its sun at azimuth 315, elevation 45", "sun=(azimuth, elevation)")
 
 
 def _light_map(pixels: Any) -> vtkImageData:
-    """Rows from the zenith down, centre column north, (rows, 2 rows, 3)."""
+    """An image of a light map (rows, 2 rows, 3): row 0 is the zenith, the centre column north."""
     values = _numeric("environment", pixels)
     rows, columns = values.shape[:2] if values.ndim == 3 else (0, 0)
     if rows < 1 or columns != 2 * rows or values.shape[2] != 3:
@@ -76,8 +77,8 @@ def _light_map(pixels: Any) -> vtkImageData:
     wrong = values[~(np.isfinite(values) & (values >= 0))]
     if wrong.size:
         raise ValueError(
-            f"environment holds {wrong[0]:g}; give linear RGB, finite and 0 or more, by "
-            "np.nan_to_num(environment.clip(0)) for instance")
+            f"environment holds {wrong[0]:g}; give linear RGB, finite and 0 or more, "
+            "for instance np.nan_to_num(environment.clip(0))")
     image = vtkImageData()
     image.SetDimensions(columns, rows, 1)
     radiance = _to_vtk(values[::-1].astype(np.float32))
@@ -87,7 +88,7 @@ def _light_map(pixels: Any) -> vtkImageData:
 
 
 def place_sun(light: vtkSkylineSunLight, sun: Any, time: Any) -> None:
-    """The place of a sun: `sun`, which is (azimuth, elevation), or `time`."""
+    """Sets the position of a sun: `sun`, which is (azimuth, elevation), or `time`."""
     if (sun is None) == (time is None):
         raise TypeError("give sun=(azimuth, elevation), or time, and not both")
     if time is not None:
@@ -100,7 +101,7 @@ def place_sun(light: vtkSkylineSunLight, sun: Any, time: Any) -> None:
 
 
 def sun_light(direction: list[float], irradiance: Any, radius: Any) -> vtkSkylineLight:
-    """The sun of a direction; a wide disc is a key light of the same irradiance."""
+    """The sun in a direction. A wide disc becomes a key light of the same irradiance."""
     rgb = _check.color("sun_irradiance", irradiance)
     light: Any = vtkSkylineSunLight()
     width = check_radius(light.GetAngularRadius() if radius is None else radius)
@@ -116,7 +117,7 @@ def sun_light(direction: list[float], irradiance: Any, radius: Any) -> vtkSkylin
 
 
 def sun_of_time(time: Any, irradiance: Any, radius: Any) -> vtkSkylineSunLight:
-    """The sun of a moment over each post."""
+    """The sun at a time over each post."""
     light = vtkSkylineSunLight()
     place_sun(light, None, time)
     light.SetIrradiance(*_check.color("sun_irradiance", irradiance))
@@ -133,7 +134,7 @@ def check_radius(radius: Any) -> float:
 
 
 def lamp_lights(lamps: Any, terrain: vtkImageData) -> Iterable[vtkSkylineLampLight]:
-    """Lamps (x, y, z, radius) or (x, y, z, radius, red, green, blue)."""
+    """Lamps from (x, y, z, radius) or (x, y, z, radius, red, green, blue)."""
     wanted = "(x, y, z, radius) in metres, or with red, green and blue after them"
     if isinstance(lamps, (str, bytes)) or not np.iterable(lamps):
         raise TypeError(f"lamps is {_check.short(lamps)}; give a list of {wanted}")
@@ -152,11 +153,13 @@ def lamp_lights(lamps: Any, terrain: vtkImageData) -> Iterable[vtkSkylineLampLig
 
 
 class SunPosition(tuple[float, float, float]):
-    """(azimuth, elevation, radius) in degrees, also by name, and the eclipse at that time.
+    """(azimuth, elevation, radius) in degrees, also as attributes, and the eclipse at that time.
 
-    magnitude     the part of the sun's diameter that the Moon covers; in totality, and with a ring, the
-                  ratio of both diameters; 0 without an eclipse
-    obscuration   the share of the disc's area that it covers, 0 to 1
+    magnitude
+        The part of the sun's diameter that the Moon covers; in a total or annular eclipse, the
+        ratio of the two diameters. 0 without an eclipse.
+    obscuration
+        The share of the area of the disc that the Moon covers, 0 to 1.
     """
 
     magnitude: float

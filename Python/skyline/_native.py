@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The wrapped classes; where they cannot be loaded, one error that says what is missing."""
+"""The wrapped classes. If they cannot be loaded, one error says what is missing."""
 
 import sys
 
 from ._built import PYTHON_VERSION, VTK_VERSION
 
-# Before anything compiled is loaded: for another Python it may crash in place of raising.
+# Checked before compiled modules are loaded: in another Python they may crash instead of raising.
 _python = "%d.%d" % sys.version_info[:2]
 if _python != PYTHON_VERSION:
     raise ImportError(
@@ -16,16 +16,16 @@ try:
     import numpy  # noqa: F401
     import vtkmodules
 
-    # The base classes of the wrapped ones must be known to Python first.
+    # Python must know the base classes of the wrapped classes first.
     from vtkmodules import vtkCommonCore, vtkCommonDataModel  # noqa: F401
     from vtkmodules import vtkCommonExecutionModel, vtkIOCore  # noqa: F401
 except ImportError as reason:
     raise ImportError(
         f"skyline needs numpy and VTK's Python modules, but in {sys.executable}: {reason}; run a Python "
-        "that has them, Debian's /usr/bin/python3 with python3-numpy and python3-vtk9 for instance"
+        "that has them, for instance Debian's /usr/bin/python3 with python3-numpy and python3-vtk9"
     ) from None
 
-# Two VTKs in one process know nothing of each other's classes.
+# Two versions of VTK in one process cannot use each other's classes.
 _vtk = vtkCommonCore.vtkVersion.GetVTKVersion()
 if _vtk.split(".")[:2] != VTK_VERSION.split(".")[:2]:
     raise ImportError(
@@ -40,5 +40,5 @@ try:
     from .SkylineRendering import *  # noqa: F401,F403
 except ImportError as reason:
     raise ImportError(
-        f"skyline's compiled modules cannot be loaded: {reason}; build them by ./bootstrap python and "
-        "take the package from build/python") from None
+        f"skyline's compiled modules cannot be loaded: {reason}; build them with ./bootstrap python and "
+        "use the package in build/python") from None

@@ -18,9 +18,9 @@ _NAMES = {
 
 
 def find(name: str) -> Any:
-    """The class of an old name, with a DeprecationWarning; AttributeError for other names."""
+    """The class with an old name, with a DeprecationWarning. AttributeError for other names."""
     if name not in _NAMES:
         raise AttributeError(f"module 'skyline' has no attribute {name!r}")
     warnings.warn(
-        f"{name} is called {_NAMES[name]} since version 0.2", DeprecationWarning, stacklevel=3)
+        f"{name} was renamed to {_NAMES[name]} in version 0.2", DeprecationWarning, stacklevel=3)
     return getattr(_native, _NAMES[name])

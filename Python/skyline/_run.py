@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a VTK algorithm: its errors and its observers' become exceptions, Ctrl-C stops it, other threads go
-on meanwhile."""
+"""Runs a VTK algorithm.
+
+Errors of the algorithm and of its observers become exceptions, Ctrl-C stops it, and other Python
+threads run in the meantime.
+"""
 
 from __future__ import annotations
 
@@ -15,34 +18,34 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkTrivialProducer
 
 from . import SkylineFilters, _threads, _warnings
 
-# Filters/PythonUpdate.cxx; ctypes sets Python's lock free around it.
+# Defined in Filters/PythonUpdate.cxx; ctypes releases Python's global lock during the call.
 _update = ctypes.CDLL(SkylineFilters.__file__).SkylineUpdateAlgorithm
 _update.argtypes = [ctypes.c_void_p]
 _update.restype = None
 
-# An observer may start a run of its own.
+# Reentrant, since an observer may start another run.
 _one_at_a_time = threading.RLock()
 
 
 class Error(RuntimeError):
-    """What a class of Skyline or VTK reported, in its own words."""
+    """An error that a class of Skyline or VTK reported, with its message."""
 
 
 def _reason(text: str) -> str:
-    """The message without the place in the source and the object's address."""
+    """The message without the position in VTK's source and the address of the object."""
     lines = text.strip().split("\n")
     if lines[0].startswith(("ERROR: In ", "Warning: In ", "Generic Warning: In ")):
         lines = lines[1:]
     text = re.sub(r"^\w+ \(0x[0-9a-f]+\): ", "", " ".join(lines).strip())
-    # The options that let a file be read, as arguments.
+    # Options of the command line that allow a file to be read become arguments.
     text = re.sub(r"--driver (\w+)", r"drivers=['\1']", text)
     return re.sub(r"--allow-(network|elsewhere)", r"allow_\1=True", text)
 
 
 def _pipeline(algorithm: vtkAlgorithm) -> list[vtkAlgorithm]:
-    """The algorithm and all that it takes its input from."""
+    """The algorithm and all algorithms from which it gets its input."""
     found = [algorithm]
-    for part in found:  # which grows
+    for part in found:  # grows in the loop
         for port in range(part.GetNumberOfInputPorts()):
             for connection in range(part.GetNumberOfInputConnections(port)):
                 source = part.GetInputAlgorithm(port, connection)
@@ -52,7 +55,7 @@ def _pipeline(algorithm: vtkAlgorithm) -> list[vtkAlgorithm]:
 
 
 def _address(algorithm: vtkAlgorithm) -> int:
-    """Where the C++ object lies: its Python object tells it as _0123456789abcdef_p_vtkClass."""
+    """The address of the C++ object; in Python it has the form _0123456789abcdef_p_vtkClass."""
     return int(algorithm.__this__.split("_")[1], 16)
 
 
@@ -64,12 +67,12 @@ def _needs_no_python(algorithm: vtkAlgorithm) -> bool:
 
 
 class _Stopper:
-    """Ends a run by the first exception of its observers and of handlers of signals.
+    """Stops a run at the first exception of an observer or of a signal handler.
 
-    VTK prints what an observer raises and goes on (by sys.excepthook, which is watched here), and ends
-    the program for a KeyboardInterrupt; so signals, whose handlers Python calls when an observer begins,
-    are handled where nothing escapes. The algorithms are asked to stop, and the exception is raised when
-    they have.
+    VTK prints an exception of an observer with sys.excepthook and continues, and it ends the
+    program at a KeyboardInterrupt. Therefore sys.excepthook is replaced here, and signals are
+    handled where no exception can escape; Python calls their handlers when an observer begins. The
+    algorithms are asked to stop, and the exception is raised after they have stopped.
     """
 
     def __init__(self, algorithms: list[vtkAlgorithm]) -> None:
@@ -104,7 +107,7 @@ class _Stopper:
                 if callable(handler):
                     self.handlers[number] = handler
                     signal.signal(number, self.handle)
-        # Python looks for signals when it runs, and in the midst of VTK that is here.
+        # Python handles signals only while it runs; during an update that is in this observer.
         self.tags = [
             one.AddObserver("ProgressEvent", lambda caller, event: None) for one in self.algorithms]
 
@@ -118,13 +121,15 @@ class _Stopper:
         if self.caught:
             for algorithm in self.algorithms:
                 algorithm.SetAbortExecute(0)
-                algorithm.Modified()  # what was stopped has no result
+                algorithm.Modified()  # a stopped algorithm has no result
             raise self.caught[0]
 
 
 class reported:
-    """Raises the first error that the objects report in the block, in place of printing it; without
-    an error, their warnings become UserWarnings."""
+    """Raises the first error that the objects report in the block, instead of printing it.
+
+    Without an error, their warnings become UserWarnings.
+    """
 
     def __init__(self, *speakers: Any) -> None:
         self.reasons: list[str] = []
@@ -152,15 +157,15 @@ class reported:
                 _warnings.warn(text)
         else:
             if "bad_alloc" in self.reasons[0]:
-                raise MemoryError("not enough memory; take fewer azimuths or posts")
+                raise MemoryError("not enough memory; use fewer azimuths or posts")
             raise Error(self.reasons[0])
 
 
 def run(algorithm: vtkAlgorithm, call: Any = None) -> None:
-    """Updates the algorithm, or makes the call that does; raises Error with what is reported.
+    """Updates the algorithm, or calls `call`, which updates it; raises reported errors as Error.
 
-    Other threads of Python run meanwhile, unless a call is given or some of the pipeline's classes may
-    need Python. Runs of several threads wait for each other: each takes all processors.
+    Other Python threads run in the meantime, unless `call` is given or a class in the pipeline may
+    need Python. Runs of several threads wait for each other, since each uses all processors.
     """
     algorithms = _pipeline(algorithm)
     speakers = algorithms + [one.GetExecutive() for one in algorithms]
@@ -175,14 +180,28 @@ def run(algorithm: vtkAlgorithm, call: Any = None) -> None:
 
 
 def update(algorithm: vtkAlgorithm) -> None:
-    """Updates a pipeline of VTK classes: an error of any of them is raised, Ctrl-C stops it.
+    """Update a pipeline of VTK classes. Its errors are raised as exceptions, and Ctrl-C stops it.
 
-    algorithm   the pipeline's end, for which Update() would print errors and could not be stopped
+    Parameters
+    ----------
+    algorithm : vtkAlgorithm
+        The end of the pipeline. Its method Update() would print errors and could not be stopped.
 
-    An exception of an observer stops the run and is raised, too. (VTK itself ends the program where an
-    observer raises KeyboardInterrupt or SystemExit.) Other threads of Python run meanwhile; calls of
-    Skyline by several threads wait for each other.
+    Raises
+    ------
+    skyline.Error
+        A class in the pipeline reported an error.
+    UserWarning
+        As a warning, for doubtful input.
 
+    Notes
+    -----
+    An exception in an observer stops the run and is raised as well. (VTK itself ends the program if
+    an observer raises KeyboardInterrupt or SystemExit.) Other Python threads run in the meantime;
+    calls of Skyline from several threads wait for each other.
+
+    Examples
+    --------
     >>> reader = vtkHeightFieldReader()
     >>> reader.SetFileName("nosuch.tif")
     >>> sky = vtkHeightFieldSkyView()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""VTK gets the threads that the system gives: TBB ends a program that is refused one."""
+"""Limits the threads of VTK to what the system allows; TBB ends a program that gets fewer."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 
 
 def _count(wanted: int) -> int:
-    """How many threads of `wanted` the system gives, the one that runs included."""
+    """How many of `wanted` threads the system allows, including the current one."""
     gate = threading.Event()
     others: list[threading.Thread] = []
     try:
@@ -19,8 +19,8 @@ def _count(wanted: int) -> int:
             other.start()
             others.append(other)
     except (RuntimeError, MemoryError):
-        pass  # no more
-    finally:  # an interrupt too
+        pass  # the system allows no more
+    finally:  # also after an interrupt
         gate.set()
         for other in others:
             other.join()
@@ -29,7 +29,7 @@ def _count(wanted: int) -> int:
 
 @functools.lru_cache(None)
 def prepare() -> None:
-    """Once, before the first computation."""
+    """Runs once, before the first computation."""
     wanted = vtkSMPTools.GetEstimatedNumberOfThreads()
     given = _count(wanted)
     if given < wanted:

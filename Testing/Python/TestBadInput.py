@@ -100,7 +100,7 @@ class BadInput(unittest.TestCase):
 
         for time in ["2026-02-30T06:00Z", "2026-06-21T06:00+99:00", "2026-06-21T25:00Z", "", "2026"]:
             self.refused(ValueError, "is not a time", sun, Z, time=time, **place)
-        with self.assertWarnsRegex(UserWarning, "06:00 has no zone; assuming UTC; use time='2026.*Z'"):
+        with self.assertWarnsRegex(UserWarning, "06:00 has no time zone; assuming UTC; use time='2026.*Z'"):
             sun(Z, time="2026-06-21 06:00", **place)
 
     def test_times_as_python_prints_them(self):
@@ -133,7 +133,7 @@ class BadInput(unittest.TestCase):
                      **sun)
         self.refused(ValueError, "surface is 'bilinear'", skyline.shadow_height, Z, 10.0,
                      surface="bilinear", **sun)
-        with self.assertWarnsRegex(UserWarning, "cie:12 is brighter about the sun.*assuming its sun"):
+        with self.assertWarnsRegex(UserWarning, "cie:12 is brighter around the sun.*assuming its sun"):
             light(Z, 10.0, "cie:12")
         with self.assertWarnsRegex(UserWarning, "lamp 1 stands 5000 km beside"):
             light(Z, 10.0, lamps=[(5e6, 0.0, 3.0, 1.0)])

@@ -317,7 +317,7 @@ class Place(unittest.TestCase):
         wanted = [float(told[name].split()[0])
                   for name in ("grid azimuth", "refracted elevation", "angular radius")]
         self.assertTrue(np.allclose(places.pop(), wanted, atol=SUN), (said, wanted))
-        with self.assertRaisesRegex(ValueError, "no zone"):
+        with self.assertRaisesRegex(ValueError, "no time zone"):
             skyline.sun_position(self.image, datetime.datetime(2026, 6, 21))
 
     def test_sky_by_time_has_its_sun(self):

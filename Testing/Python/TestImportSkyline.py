@@ -29,7 +29,7 @@ class TestImportSkyline(unittest.TestCase):
             self.assertTrue(hasattr(skyline, name), name)
 
     def test_old_names_of_classes(self):
-        with self.assertWarnsRegex(DeprecationWarning, "is called vtkSkylineLightMapReader"):
+        with self.assertWarnsRegex(DeprecationWarning, "was renamed to vtkSkylineLightMapReader"):
             self.assertIs(skyline.vtkLightMapReader, skyline.vtkSkylineLightMapReader)
         with self.assertRaisesRegex(AttributeError, "no attribute 'vtkMoon'"):
             skyline.vtkMoon  # noqa: B018

@@ -373,12 +373,12 @@ class Doubts(ToolTest):
         for time, utc in [("2026-06-21T16:00", "2026-06-21T16:00:00Z"),
                           ("2026-06-21 16:00:00", "2026-06-21T16:00:00Z"),
                           ("2026-06-21", "2026-06-21T00:00:00Z")]:
-            self.warns(f"the time {time} has no zone; assuming UTC; use --time {utc} to say otherwise$",
+            self.warns(f"the time {time} has no time zone; assuming UTC; use --time {utc} to say otherwise$",
                        "sun", dem, "--time", time)
 
     def test_sky_of_a_sun_that_is_not_given(self):
         dem = make(self.path("dem.tif"), hills(5, 6), epsg=UTM10)
-        self.warns("the sky cie:12 is brighter about the sun, and no sun is given; assuming its sun at "
+        self.warns("the sky cie:12 is brighter around the sun, and no sun is given; assuming its sun at "
                    "azimuth 315, elevation 45; use --sun AZ,EL to say otherwise$",
                    "irradiance", dem, "-o", self.path("out.tif"), "--environment", "cie:12")
 

@@ -29,15 +29,15 @@ namespace
 namespace fs = std::filesystem;
 using namespace skyline::benchmark;
 
-constexpr int LeastSize = 32;  // of a made scene: below, no window of posts is left
-constexpr int MostSize = 4096; // above, the truth takes longer than the methods
+constexpr int LeastSize = 32;  // of a synthetic scene; a smaller one has no window of posts
+constexpr int MostSize = 4096; // in larger ones the reference takes longer than the methods
 
 constexpr std::array<const char*, 4> ReportFiles{ { "index.html", "results.csv", "results.json",
   "pareto.svg" } };
 
 constexpr double MostBudget = 1e6; // seconds
 
-// As the user typed it, words with spaces in quotes.
+// The command line as the user typed it, with words that contain spaces in quotes.
 std::string CommandLine()
 {
   std::ifstream file("/proc/self/cmdline", std::ios::binary);
@@ -51,7 +51,7 @@ std::string CommandLine()
   return words;
 }
 
-// As --sizes takes them.
+// The numbers in the form of the option --sizes.
 std::string Listed(const std::vector<int>& numbers)
 {
   std::string text;
@@ -62,7 +62,7 @@ std::string Listed(const std::vector<int>& numbers)
   return text;
 }
 
-// The folder of the report; one that was made here goes again unless it was filled.
+// The folder of the report. If it was made here and is not filled, it is removed again.
 class ReportFolder
 {
 public:
@@ -97,7 +97,7 @@ public:
   ReportFolder(const ReportFolder&) = delete;
   ReportFolder& operator=(const ReportFolder&) = delete;
 
-  // All files appear, or as long as none is in place, none.
+  // Writes all files, or none of them if none is in place yet.
   void Fill(const std::vector<std::pair<std::string, std::string>>& texts)
   {
     std::vector<std::unique_ptr<skyline::AtomicFile>> files;

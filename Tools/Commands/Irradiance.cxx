@@ -38,7 +38,7 @@ struct IrradianceCommand
   bool Horizontal = false;
   skyline::Talk Talk;
 
-  // The sky that shines; a uniform one where the user asked for no light.
+  // The type of the sky; a uniform one if the user wants no light.
   skyline::SkyKind Kind() const
   {
     const bool others = this->Lights.Sun.Asked() || !this->Lights.Lamps.empty();
@@ -84,7 +84,7 @@ struct IrradianceCommand
     if (this->Kind() == skyline::SkyKind::Formula && !this->Lights.Sun.Asked())
     {
       skyline::PrintWarning(skyline::Doubt{ "the sky " + this->Lights.Sky->Text +
-                                " is brighter about the sun, and no sun is given",
+                                " is brighter around the sun, and no sun is given",
                               "its sun at azimuth 315, elevation 45", "--sun AZ,EL" },
         this->Talk);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The program `skyline`: horizons, sky view and shadows of rasters of heights.
+// The program `skyline`: horizons, sky view, shadows and light of DEMs.
 #include "Commands.h"
 #include "Failure.h"
 #include "Interrupt.h"
@@ -30,7 +30,7 @@ int Fail(const std::string& reason, int code)
   return code;
 }
 
-/// What an empty value says, of an option whose shell variable was not set.
+/// The error message for an empty value, for instance of a shell variable that is not set.
 std::string WhyEmpty(const std::string& text)
 {
   return text.empty()
@@ -38,8 +38,8 @@ std::string WhyEmpty(const std::string& text)
     : "";
 }
 
-// The option that is written `--name=` and nothing behind it, which CLI11 would give the next word;
-// empty: none.
+// Returns the option that is written `--name=` without a value, for which CLI11 would take the next
+// word; empty if there is none.
 std::string EmptyOption(int argc, char** argv)
 {
   for (int k = 1; k < argc && std::strcmp(argv[k], "--") != 0; ++k)
@@ -59,16 +59,16 @@ void RefuseEmptyValues(CLI::App& program)
   {
     for (CLI::Option* option : command->get_options())
     {
-      if (option->get_items_expected_max() > 0) // no flag
+      if (option->get_items_expected_max() > 0) // not a flag
       {
-        // Before all other checks.
+        // This check comes before all others.
         option->transform(CLI::Validator([](std::string& text) { return WhyEmpty(text); }, ""));
       }
     }
   }
 }
 
-// What is wrong with the words that nothing took; empty: nothing.
+// Returns what is wrong with words that no option has taken; empty if there are none.
 std::string WhyExtra(const CLI::App& program, const CLI::App* command)
 {
   const std::vector<std::string> extra = (command ? *command : program).remaining();
@@ -130,7 +130,7 @@ int Run(int argc, char** argv)
     {
       return refuse(empty + ": " + WhyEmpty(""));
     }
-    program.parse(argc, argv); // runs the command
+    program.parse(argc, argv); // also runs the command
   }
   catch (const CLI::Success& wish) // --help, --version
   {
@@ -149,7 +149,7 @@ int Run(int argc, char** argv)
   return 0;
 }
 
-// Also says what went wrong.
+// Runs the program and prints its errors. Returns the exit status.
 int StatusOf(int argc, char** argv)
 {
   try

@@ -55,7 +55,8 @@ struct ShadeCommand
     return shadow->GetOutput();
   }
 
-  // The name of the array that says how much light of the sky there is, and the image with it.
+  // Computes how much light of the sky each post gets. Returns the name of the array, and the image
+  // with it.
   const char* ViewSky(vtkSmartPointer<vtkImageData>& terrain) const
   {
     const skyline::SkyPass sky = skyline::MakeSkyPass(*this->Lights.Sky, terrain, this->Horizon);
@@ -98,11 +99,12 @@ struct ShadeCommand
 
   skyline::SkyKind Kind() const { return this->Lights.KindOfSky(); }
 
-  // A light map or a measured sky shines as bright as it is, with a sun only if one is asked for.
+  // A light map or a measured sky has its own brightness, and a sun only if the user gives one.
   bool Measured() const { return this->Lights.Sky->Measured(); }
 
-  // Adds the array Irradiance of what sun and sky arrays do not hold: light maps, skies that are
-  // not the same all around (with the sky's colour), lamps. False if there is none.
+  // Adds the array Irradiance for light that is not in the arrays of sun and sky: light maps, skies
+  // that are not the same all around (with the colour of the sky), and lamps. Returns false if
+  // there is none.
   bool AddFurtherLight(vtkSmartPointer<vtkImageData>& terrain, const skyline::Rgb& sky) const
   {
     skyline::LightDescription wanted = this->Lights;
@@ -133,7 +135,7 @@ struct ShadeCommand
     return true;
   }
 
-  // Sun and sky that the shading itself lights with, as strong as the day has them or the user asks.
+  // Chooses the strength of sun and sky in the shading: that of the day or that given by the user.
   skyline::Daylight ChooseDaylight(const skyline::Center& center, double elevation) const
   {
     if (this->Measured())
@@ -167,7 +169,7 @@ struct ShadeCommand
     this->Horizon.WarnIdle(terrain, this->Talk);
     const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
     const skyline::SunLight sun = skyline::FindSun(this->Lights.Sun, center.Place, center.Height);
-    vtkNew<vtkSkylineSunLight> shared; // by shadows and shading
+    vtkNew<vtkSkylineSunLight> shared; // used by shadows and shading
     skyline::ApplySun(this->Lights.Sun, sun, shared);
 
     skyline::Daylight light = this->ChooseDaylight(center, sun.ApparentElevation);

@@ -55,7 +55,7 @@ struct ShadowHeightCommand
     shadow->SetInputData(terrain);
     this->Horizon.Apply(shadow.Get());
     skyline::ApplySun(this->Sun, sun, shadow->GetSun());
-    shadow->UseTimeOff(); // the sun over the centre, as the command prints it
+    shadow->UseTimeOff(); // uses the sun over the centre, as the command prints it
     shadow->SetSoft(this->Soft);
     skyline::RunPass(shadow, "shadow height", this->Talk);
     std::vector<std::string> bands{ "ShadowHeight" };

@@ -47,7 +47,7 @@ struct SkyViewCommand
     skyline::PrepareVtk(this->Talk);
     skyline::CheckRasterOutput(this->Output.File, { this->Terrain.File });
 
-    // Every quantity once, in the order asked for.
+    // Each quantity once, in the order given by the user.
     std::vector<std::string> wanted;
     for (const std::string& name : this->Quantities.empty() ? UsualQuantities : this->Quantities)
     {

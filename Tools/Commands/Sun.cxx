@@ -30,7 +30,7 @@ struct SunCommand
   skyline::SunDescription Sun;
   skyline::Talk Talk;
 
-  // The sun at the centre of the DEM: one `name: value unit` a line, the names fixed.
+  // Prints the sun at the centre of the DEM: one `name: value unit` per line, with fixed names.
   void Print() const
   {
     const skyline::Center center = skyline::ReadCenter(this->Terrain, this->Talk);
@@ -59,7 +59,7 @@ struct SunCommand
     }
   }
 
-  // Two lines while the Moon covers any of a sun that has not set.
+  // Prints two lines if the Moon covers a part of the sun and the sun has not set.
   void PrintEclipse(const skyline::Center& center, const skyline::SunLight& sun) const
   {
     const skyline::SunAndMoon seen =

@@ -21,7 +21,7 @@
 namespace
 {
 
-// The bundled DEM, which lies at the same place from the program in the build and the install tree.
+// The bundled DEM. Its path relative to the program is the same in the build and the install tree.
 std::string BundledTerrain()
 {
   std::error_code none;
@@ -62,7 +62,7 @@ struct ViewCommand
     int width = 0;
     int height = 0;
     this->Perspective.Read(width, height, this->Options.FromAzimuth, this->Options.FromElevation);
-    skyline::GlfwWindow window(width, height); // before any work: there may be no display
+    skyline::GlfwWindow window(width, height); // before any work, since there may be no display
     skyline::Viewer viewer(window.GetRenderWindow(), this->Options, this->Talk);
     window.Run(viewer, this->Talk);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a command stops early.
+// Exceptions that stop a command.
 #ifndef skyline_Failure_h
 #define skyline_Failure_h
 
@@ -9,16 +9,17 @@
 namespace skyline
 {
 
-/// A reason that the user can act on, in one line. The program prints it and exits with 1.
+/// A failure. Its text has one line and tells the user what to do. The program prints it and exits
+/// with 1.
 class Failure : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// The command line itself is wrong, whatever the files hold: a value out of range, or options that do
-/// not go together. The program prints the reason with the command whose help tells more, and exits
-/// with 2.
+/// An error of the command line itself, whatever the files contain: a value out of range, or
+/// options that cannot be combined. The program prints the text with a hint to the help of the
+/// command, and exits with 2.
 class WrongUsage : public Failure
 {
 public:

@@ -71,7 +71,7 @@ void SetBandTexts(
   }
 }
 
-// Linear light with alpha, as EXR files have it: nothing where posts are missing.
+// Adds an alpha channel to linear light, as in EXR files: transparent black at missing posts.
 vtkSmartPointer<vtkImageData> WithAlpha(vtkImageData* image)
 {
   vtkDataArray* radiance = image->GetPointData()->GetArray("Radiance");
@@ -95,11 +95,11 @@ vtkSmartPointer<vtkImageData> WithAlpha(vtkImageData* image)
   return copy;
 }
 
-// Posts from the middle within which a height is looked for.
+// Distance from the middle, in posts, within which a height is searched first.
 constexpr int FirstReach = 8;
 constexpr int MostReach = 512;
 
-// In small letters, with its point.
+// The extension of the file with its point, in lower case.
 std::string ExtensionOf(const std::string& file)
 {
   std::string extension = std::filesystem::path(file).extension().string();
@@ -108,7 +108,7 @@ std::string ExtensionOf(const std::string& file)
   return extension;
 }
 
-// The middle post or two of `count`, and `reach` on both sides; never one alone.
+// The one or two middle posts of `count`, and `reach` posts on both sides; at least two posts.
 void Middle(int count, int reach, int& first, int& last)
 {
   first = (count - 1) / 2;
@@ -118,14 +118,15 @@ void Middle(int count, int reach, int& first, int& last)
   last = std::min(last + more, count - 1);
 }
 
-// The least of both spacings, metres.
+// The smaller of the two spacings in metres.
 double LeastStep(vtkImageData* terrain)
 {
   return std::min(terrain->GetSpacing()[0], terrain->GetSpacing()[1]);
 }
 
-// The height of the post nearest to the middle that has one, and its distance in metres; 0 and infinity
-// where none lies within MostReach columns and rows.
+// Finds the height of the post nearest to the middle that has a height. Returns its distance in
+// metres. If there is none within MostReach columns and rows, the height is 0 and the distance
+// infinite.
 double NearestHeight(vtkImageData* terrain, double& height)
 {
   const int* size = terrain->GetDimensions();
@@ -148,7 +149,7 @@ double NearestHeight(vtkImageData* terrain, double& height)
       height = found;
     }
   };
-  // Square after square, until no post of a further one can be nearer.
+  // Searches square after square, until no post of a larger square can be nearer.
   const double step = LeastStep(terrain);
   for (int ring = 0; ring <= MostReach && ring * step < least; ++ring)
   {
@@ -218,7 +219,7 @@ Center ReadCenter(const TerrainOptions& options, const Talk& talk)
 {
   const auto reader = MakeReader(options);
   int whole[6] = { 0, 0, 0, 0, 0, 0 };
-  // A part that is missing altogether is no error of the reader, so the part can grow.
+  // The reader does not fail if all heights of the part are missing, so the part can grow.
   for (int reach = 0; reach <= MostReach; reach = reach == 0 ? FirstReach : 8 * reach)
   {
     RunPass(reader, "read", talk,
@@ -235,7 +236,7 @@ Center ReadCenter(const TerrainOptions& options, const Talk& talk)
     double height = 0.0;
     if (NearestHeight(reader->GetOutput(), height) <= reach * LeastStep(reader->GetOutput()))
     {
-      break; // what lies outside the part is no nearer
+      break; // posts outside this part are not nearer
     }
   }
   return CenterOf(reader->GetOutput(), talk);
@@ -244,7 +245,7 @@ Center ReadCenter(const TerrainOptions& options, const Talk& talk)
 void CheckOutput(const std::string& output, const std::vector<std::string>& inputs)
 {
   RefuseOverlap(output, inputs);
-  const AtomicFile probe(output); // throws where nothing can be written
+  const AtomicFile probe(output); // throws if the file cannot be written
 }
 
 void CheckRasterOutput(const std::string& output, const std::vector<std::string>& inputs)

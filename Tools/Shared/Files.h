@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reading terrain and writing results.
+// Reads terrain and writes results.
 #ifndef skyline_Files_h
 #define skyline_Files_h
 
@@ -20,8 +20,8 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// The heights, with their georeference in field data. Throws Failure as the reader words it.
-/// With `output`, throws Failure too if that is a file that the heights were read from.
+/// Reads the heights, with their georeference in the field data. Throws Failure with the message of
+/// the reader; also if `output` is given and is a file that the heights were read from.
 vtkSmartPointer<vtkImageData> ReadTerrain(
   const TerrainOptions& options, const Talk& talk, const std::string& output = "");
 
@@ -29,27 +29,30 @@ vtkSmartPointer<vtkImageData> ReadTerrain(
 struct Center
 {
   Georeference Place;
-  double Height = 0.0; ///< metres, of the post with a height nearest to the middle; 0: none is near
+  double Height = 0.0; ///< metres, of the nearest post with a height; 0 if none is near
   double Longitude = 0.0, Latitude = 0.0; ///< degrees; 0 without a CRS
 };
-/// The post with a height is looked for up to 512 posts away; a warning where there is none.
+/// Finds the middle. A post with a height is searched up to 512 posts away; a warning if there is
+/// none.
 Center CenterOf(vtkImageData* terrain, const Talk& talk);
 
-/// The same, reading no more of the file than is needed: the middle, and more where that is missing.
+/// The same, but reads only as much of the file as is needed: the middle, and more if that is
+/// missing.
 Center ReadCenter(const TerrainOptions& options, const Talk& talk);
 
-/// Before any work: throws Failure if `output` cannot become a file, or is part of an input.
+/// Throws Failure if `output` cannot become a file or is part of an input. To be called before any
+/// work.
 void CheckOutput(const std::string& output, const std::vector<std::string>& inputs);
 
-/// The same for a raster, whose name ends in .tif or has no extension: else WrongUsage.
+/// The same for a raster. Throws WrongUsage unless its name ends in .tif or has no extension.
 void CheckRasterOutput(const std::string& output, const std::vector<std::string>& inputs);
 
-/// Writes point arrays of an updated algorithm's output as the bands of a GeoTIFF. Throws Failure,
-/// and leaves no file, if that fails.
+/// Writes point arrays of the output of an updated algorithm as bands of a GeoTIFF. Throws Failure
+/// if that fails; then no file is left.
 void WriteRaster(vtkAlgorithm* source, const std::vector<std::string>& arrays,
   const OutputOptions& options, const Talk& talk);
 
-/// Kinds of picture files.
+/// Formats of picture files.
 enum class PictureFormat
 {
   Png,
@@ -57,10 +60,10 @@ enum class PictureFormat
   Tiff
 };
 
-/// By the file's name; throws WrongUsage for another one.
+/// The format by the name of the file. Throws WrongUsage for other names.
 PictureFormat FormatOf(const std::string& file);
 
-/// Writes the picture that vtkHeightFieldShading made: Radiance as EXR, Picture as PNG or GeoTIFF.
+/// Writes the picture of vtkHeightFieldShading: Radiance as EXR, Picture as PNG or GeoTIFF.
 void WritePicture(
   vtkAlgorithm* source, PictureFormat format, const OutputOptions& options, const Talk& talk);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Options that cannot act with the others are refused, so that nobody believes they did.
+// Refuses options that have no effect together with the other options.
 #ifndef skyline_IdleOptions_h
 #define skyline_IdleOptions_h
 
@@ -13,7 +13,7 @@
 namespace skyline
 {
 
-/// The options of one command line, after it was read and before any work.
+/// The options of one command line, after it was parsed and before any work.
 class IdleOptions
 {
 public:
@@ -22,14 +22,15 @@ public:
   {
   }
 
-  /// Whether the user gave the option; false for one that the command does not have.
+  /// Returns whether the user gave the option; false if the command does not have it.
   bool Given(const std::string& option) const;
 
-  /// Throws WrongUsage if `idle` and the user gave one of the options: "OPTION: REASON".
+  /// Throws WrongUsage with "OPTION: REASON" if `idle` is true and the user gave one of the
+  /// options.
   void Refuse(
     bool idle, std::initializer_list<const char*> options, const std::string& reason) const;
 
-  /// Prints a warning instead: what such an option asks for is what happens anyway, or all that can.
+  /// Prints a warning instead, for an option without effect whose absence gives the same result.
   void Warn(bool idle, std::initializer_list<const char*> options, const std::string& reason,
     const Talk& talk) const;
 

@@ -14,7 +14,7 @@ namespace
 
 volatile std::sig_atomic_t Caught = 0;
 
-// In a signal handler too: only what POSIX allows there.
+// Also called in a signal handler: only uses what POSIX allows there.
 void EndBy(int number)
 {
   std::signal(number, SIG_DFL);
@@ -23,7 +23,7 @@ void EndBy(int number)
   sigaddset(&set, number);
   ::pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
   (void)std::raise(number);
-  ::_exit(128 + number); // as a shell reports it
+  ::_exit(128 + number); // the status that a shell reports
 }
 
 extern "C" void GiveUp(int number)
@@ -79,7 +79,7 @@ void CatchInterrupts()
   {
     Catch(number, EndTidily);
   }
-  // The clock of our patience is ours, whatever it was for the program that started us.
+  // Resets SIGALRM, whatever the program that started this one did with it.
   std::signal(SIGALRM, GiveUp);
   sigset_t alarm;
   sigemptyset(&alarm);

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The user's wish to stop: Ctrl-C and its kin.
+// Handles interrupts by the user: Ctrl-C and similar signals.
 #ifndef skyline_Interrupt_h
 #define skyline_Interrupt_h
 
 namespace skyline
 {
 
-/// Milliseconds that the work has to notice an interrupt by itself.
+/// Milliseconds after an interrupt within which the work should stop by itself.
 constexpr int InterruptPatience = 500;
 
-/// From now on the first SIGINT, SIGTERM or SIGHUP sets a flag, so that the work can stop by
-/// itself; if it has not after InterruptPatience, or at a second signal, temporary files are
-/// removed and the program ends by the signal. SIGQUIT and SIGPIPE end it at once, without
-/// temporary files. Signals that are ignored when the program starts (nohup) stay so. A file that
-/// grows over the allowed size is a failed write from now on, not a signal.
+/// Installs the signal handlers. The first SIGINT, SIGTERM or SIGHUP sets a flag, so that the work
+/// can stop by itself. If it has not stopped after InterruptPatience, or at a second signal,
+/// temporary files are removed and the signal ends the program. SIGQUIT and SIGPIPE end it at once;
+/// temporary files are removed. Signals that are ignored when the program starts (nohup) stay
+/// ignored. A file that exceeds the allowed size becomes a failed write instead of a signal.
 void CatchInterrupts();
 
-/// Whether one of them came.
+/// Returns whether such a signal has arrived.
 bool Interrupted();
 
-/// Throws Failure("interrupted") if one of them came.
+/// Throws Failure("interrupted") if such a signal has arrived.
 void StopIfInterrupted();
 
-/// If one of them came, ends the program by it, as if it had not been caught, so that a shell stops
-/// its loop; else returns.
+/// Ends the program by the signal if one has arrived, as if it had not been caught, so that a shell
+/// stops its loop. Otherwise returns.
 void EndIfInterrupted();
 
 } // namespace skyline

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lights that somebody asked for, as numbers: the command line and the window fill it, and Lights.h
-// makes VTK's light objects of it.
+// The lights that the user wants, as numbers. The command line and the window fill this
+// description; Lights.h makes VTK light objects from it.
 #ifndef skyline_LightDescription_h
 #define skyline_LightDescription_h
 
@@ -14,24 +14,24 @@
 namespace skyline
 {
 
-/// Where the sun stands, in degrees.
+/// The position of the sun in degrees.
 struct SunAngles
 {
   double Azimuth = 315.0;  ///< clockwise from grid north, any number of turns
   double Elevation = 45.0; ///< apparent, -90 to 90
 };
 
-/// A sun: of a time, in a direction, or neither (then the direction's defaults count).
+/// A sun: at a time, in a direction, or neither (then the default direction is used).
 struct SunDescription
 {
   std::string Time; ///< as ParseUtcTime reads it; empty: none
   std::optional<SunAngles> Direction;
-  std::optional<double> Radius; ///< degrees; none: that of the time, or the mean one
+  std::optional<double> Radius; ///< degrees; empty: the true one at that time, or the mean one
   std::optional<std::array<double, 3>>
-    Irradiance; ///< on a plane that faces it; none: SunIrradianceOf
+    Irradiance; ///< on a plane that faces it; empty: SunIrradianceOf
   bool LimbDarkening = false;
 
-  /// Whether somebody asked for a sun.
+  /// Returns whether the user wants a sun.
   bool Asked() const { return !this->Time.empty() || this->Direction; }
 };
 
@@ -39,25 +39,25 @@ struct SunDescription
 struct LampDescription
 {
   double X = 0.0,
-         Y = 0.0; ///< in the coordinate system of the DEM; metres from its image's origin without
-  double Z = 0.0; ///< metres, as the heights
+         Y = 0.0;      ///< in the CRS of the DEM; without one, metres from the origin of its image
+  double Z = 0.0;      ///< metres, like the heights
   double Radius = 1.0; ///< metres, above 0
   std::array<double, 3> Radiance{ { 1.0, 1.0, 1.0 } };
-  std::string Text; ///< as it was written, for messages
+  std::string Text; ///< as the user wrote it, for messages
 };
 
 /// All lights.
 struct LightDescription
 {
-  std::optional<SkyDescription> Sky; ///< none: a uniform one, if there is no other light
-  double Rotation = 0.0; ///< degrees, any number of turns, by which the sky is turned clockwise
+  std::optional<SkyDescription> Sky; ///< empty: a uniform sky if there is no other light
+  double Rotation = 0.0; ///< degrees by which the sky is turned clockwise, any number of turns
   SunDescription Sun;
   std::vector<LampDescription> Lamps;
 
   SkyKind KindOfSky() const { return this->Sky ? this->Sky->Kind : SkyKind::Uniform; }
 };
 
-/// The sun's irradiance as asked for; else that of a Perez sky's sun, else 1.
+/// The irradiance of the sun: the given one, or that of the sun of a Perez sky, or 1.
 std::array<double, 3> SunIrradianceOf(const LightDescription& lights);
 
 } // namespace skyline

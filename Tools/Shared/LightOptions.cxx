@@ -26,7 +26,7 @@ const Limits RadiusLimits{ "0 to less than 90 degrees", 0.0, 90.0, false, true }
 const Limits AnyAngle{ "an angle in degrees", -std::numeric_limits<double>::max(),
   std::numeric_limits<double>::max() };
 
-// The numbers of a list; throws std::invalid_argument with the reason and the cure.
+// Parses a list of numbers. Throws std::invalid_argument with the reason and the fix.
 std::vector<double> ParseNumbers(const std::string& text, const std::string& cure)
 {
   const auto numbers = ReadNumbers(text);
@@ -150,7 +150,7 @@ void WarnOfZone(const SunDescription& sun, const Talk& talk)
 {
   if (!sun.Time.empty() && !NamesZone(sun.Time))
   {
-    PrintWarning(Doubt{ "the time " + sun.Time + " has no zone", "UTC",
+    PrintWarning(Doubt{ "the time " + sun.Time + " has no time zone", "UTC",
                    "--time " + ToText(ParseUtcTime(sun.Time)) },
       talk);
   }
@@ -186,7 +186,7 @@ void AddPictureSkyOption(CLI::App& command, LightDescription& lights)
 void AddLampOptions(CLI::App& command, LightDescription& lights, bool picture)
 {
   AddNumber(command, "--rotation", lights.Rotation, AnyAngle,
-    "Degrees by which a light map, or a sky that is brighter about the sun, is turned clockwise: its\n"
+    "Degrees by which a light map, or a sky that is brighter around the sun, is turned clockwise: its\n"
     "north comes to this azimuth")
     ->type_name("DEG");
   AddParsed(
@@ -235,7 +235,7 @@ void WarnOfTurnedSky(const LightDescription& lights, SkyKind kind, const Talk& t
   if (shines && IsTurned(lights) && (kind == SkyKind::Formula || kind == SkyKind::Perez))
   {
     PrintWarning(Doubt{ "--rotation turns the sky " + lights.Sky->Text +
-                     ", which is brighter about the sun, away from the sun that shines",
+                     ", which is brighter around the sun, away from the sun that shines",
                    "a sky that does not belong to the sun", "" },
       talk);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK's light objects of the lights that somebody asked for.
+// Makes VTK light objects from the description of the lights.
 #ifndef skyline_Lights_h
 #define skyline_Lights_h
 
@@ -21,16 +21,16 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// The lights over a terrain; a uniform sky if the user asked for none. Reads the light map, told as
-/// a pass. Throws Failure with a one-line reason.
+/// The lights over a terrain; a uniform sky if the user wants no light. Reads the light map, as a
+/// pass. Throws Failure with a reason of one line.
 std::vector<vtkSmartPointer<vtkSkylineLight>> MakeLights(
   const LightDescription& lights, vtkImageData* terrain, const Talk& talk);
 
-/// A sky alone, its sun and rotation still the default ones. Reads the light map, told as a pass. Throws
-/// Failure with a one-line reason.
+/// A sky alone, with the default sun and rotation. Reads the light map, as a pass. Throws Failure
+/// with a reason of one line.
 vtkSmartPointer<vtkSkylineEnvironmentLight> MakeSky(const SkyDescription& sky, const Talk& talk);
 
-/// A lamp alone. Warns of one without light.
+/// A lamp alone. Warns if the lamp is black.
 vtkSmartPointer<vtkSkylineLampLight> MakeLamp(
   const LampDescription& lamp, vtkImageData* terrain, const Talk& talk);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a picture of the terrain looks: its colours, exposure and heights.
+// Options for the look of a picture: colours, exposure and exaggeration of heights.
 #ifndef skyline_LookOptions_h
 #define skyline_LookOptions_h
 
@@ -17,7 +17,7 @@ struct LookOptions
   LookOptions();
 
   std::string Colors;
-  std::optional<double> Exposure; ///< stops; none: automatic
+  std::optional<double> Exposure; ///< stops; empty: automatic
   double Exaggeration = 1.0;
   void AddTo(CLI::App& command);
 };

@@ -16,7 +16,7 @@ namespace
 constexpr int MostAzimuths = 3600;
 constexpr int MostThreads = 4096;
 
-// Near hot ground k was measured down to about -5. Far below -100 all terrain would sink away.
+// Near hot ground, k down to about -5 was measured. Far below -100 all terrain would disappear.
 const skyline::Limits RefractionLimits{ "-100 to below 1, 0.13 in usual air", -100.0, 1.0, false,
   true };
 

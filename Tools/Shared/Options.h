@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The options that commands share, in groups: a command adds the groups it uses.
+// The options that commands share, in groups. A command adds the groups that it uses.
 #ifndef skyline_Options_h
 #define skyline_Options_h
 
@@ -43,12 +43,12 @@ struct SourceOptions
   }
 };
 
-/// DEM, --band, --nodata, and the options of sources: what is read.
+/// DEM, --band, --nodata, and the options for sources: what is read.
 struct TerrainOptions
 {
   std::string File;
   int Band = 1;
-  std::vector<double> Nodata; ///< besides the file's own
+  std::vector<double> Nodata; ///< besides that of the file
   SourceOptions Sources;
   void AddTo(CLI::App& command);
 };
@@ -61,7 +61,7 @@ struct OutputOptions
   void AddTo(CLI::App& command, const std::string& what, bool required = true);
 };
 
-/// What a command wants to know about horizons.
+/// Which options on horizons a command has.
 struct HorizonNeeds
 {
   bool Azimuths = true; ///< --azimuths
@@ -76,17 +76,17 @@ struct HorizonOptions
   std::string Method = "exact";
   std::string Surface = "triangles";
   bool Flat = false;
-  std::optional<double> Refraction; ///< none: TerrestrialRefraction
+  std::optional<double> Refraction; ///< empty: TerrestrialRefraction
   double Tolerance = 0.0;
   void AddTo(CLI::App& command, const HorizonNeeds& needs = {});
 
-  /// Throws WrongUsage for options that cannot act; before any work.
+  /// Throws WrongUsage for options that have no effect. To be called before any work.
   void RefuseIdle(const IdleOptions& options) const;
 
-  /// Warns of options that cannot act on this terrain.
+  /// Warns of options that have no effect on this terrain.
   void WarnIdle(vtkImageData* terrain, const Talk& talk) const;
 
-  /// Sets the properties that all filters of horizons share.
+  /// Sets the properties that all filters on horizons share.
   template <typename Filter>
   void Apply(Filter* filter) const
   {

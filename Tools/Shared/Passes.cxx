@@ -33,7 +33,7 @@
 namespace
 {
 
-// The first error and all warnings of the pass that runs.
+// The first error and all warnings of the present pass.
 struct Messages
 {
   std::string Error;
@@ -61,7 +61,7 @@ Messages& Heard()
   return messages;
 }
 
-// What objects without an observer of their own would print.
+// Discards the output of objects that have no observer.
 class SilentWindow : public vtkOutputWindow
 {
 public:
@@ -75,7 +75,7 @@ public:
 };
 vtkStandardNewMacro(SilentWindow);
 
-// One line on the terminal that fills up.
+// A progress bar in one line of the terminal.
 class Bar
 {
 public:
@@ -111,13 +111,13 @@ private:
   int Percent = -1;
 };
 
-// How many threads of `wanted` the system gives us, the one that runs included.
+// Returns how many of `wanted` threads the system allows, including the current one.
 int CountThreads(int wanted)
 {
   std::mutex gate;
   std::vector<std::thread> others;
   {
-    const std::lock_guard<std::mutex> closed(gate); // so that none ends before the last has begun
+    const std::lock_guard<std::mutex> closed(gate); // all wait until the last has begun
     try
     {
       others.reserve(static_cast<std::size_t>(wanted));
@@ -128,7 +128,7 @@ int CountThreads(int wanted)
     }
     catch (const std::exception&)
     {
-      // No more threads, or no memory for one.
+      // The system allows no more threads, or there is no memory for one.
     }
   }
   for (std::thread& other : others)
@@ -138,7 +138,7 @@ int CountThreads(int wanted)
   return static_cast<int>(others.size()) + 1;
 }
 
-// Hears one algorithm.
+// Observes one algorithm.
 class Watch : public vtkCommand
 {
 public:
@@ -158,7 +158,7 @@ public:
         {
           const double progress = algorithm->GetProgress();
           this->Progress->Show(progress);
-          if (skyline::Interrupted() && progress < 1.0) // a finished file stays
+          if (skyline::Interrupted() && progress < 1.0) // a file that is complete stays
           {
             algorithm->SetAbortExecute(1);
           }
@@ -178,7 +178,7 @@ void PrepareVtk(const Talk& talk)
   vtkNew<SilentWindow> window;
   vtkOutputWindow::SetInstance(window);
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-  // More threads than processors gain nothing, and TBB would say so on the terminal.
+  // More threads than processors have no use, and TBB would print a warning about them.
   const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int wanted = talk.Threads > 0 ? std::min(talk.Threads, processors) : processors;
   const int threads = CountThreads(wanted);
@@ -190,7 +190,7 @@ void PrepareVtk(const Talk& talk)
   {
     vtkSMPTools::Initialize(threads);
   }
-  // What Mesa starts where it draws on the processor.
+  // The number of threads that Mesa starts if it draws on the processor.
   ::setenv("LP_NUM_THREADS", std::to_string(threads == 1 ? 0 : threads).c_str(), 0);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Running a pipeline one algorithm at a time, with progress, errors and times told the way a
-// command-line program tells them.
+// Runs a pipeline one algorithm at a time. Progress, errors and times are printed as command-line
+// programs print them.
 #ifndef skyline_Passes_h
 #define skyline_Passes_h
 
@@ -18,7 +18,7 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// What the user wants to hear, and how much of the machine we may use.
+/// How much is printed, and how many threads are used.
 struct Talk
 {
   bool Quiet = false;   ///< no progress bar, no warnings
@@ -26,14 +26,15 @@ struct Talk
   int Threads = 0;      ///< 0: all processors
 };
 
-/// Sends VTK's own messages to us instead of the terminal, and sets the number of threads: as many as
-/// are asked for, processors there are and the system gives, at least the one that runs. Once.
+/// Redirects the messages of VTK from the terminal to this program. Sets the number of threads: the
+/// number given, but not more than there are processors or than the system allows, and at least 1.
+/// To be called once.
 void PrepareVtk(const Talk& talk);
 
 /// Updates an algorithm whose inputs are up to date. Draws a progress bar named `title` on standard
-/// error if that is a terminal, sets AbortExecute when the user interrupts, and tells the time if
-/// asked to. Throws Failure with the first line of the algorithm's first error, and prints its warnings.
-/// `update` replaces algorithm->Update().
+/// error if that is a terminal, sets AbortExecute when the user interrupts, prints the time with
+/// --verbose, and prints the warnings of the algorithm. Throws Failure with the first line of its
+/// first error. `update` is called instead of algorithm->Update() if it is given.
 void RunPass(vtkAlgorithm* algorithm, const std::string& title, const Talk& talk,
   const std::function<void()>& update = {});
 
@@ -44,7 +45,7 @@ inline void PrintWarning(const Doubt& doubt, const Talk& talk)
   PrintWarning(DoubtText(doubt), talk);
 }
 
-/// The reason in one of VTK's error texts: what follows "vtkClass (address): ", its first line.
+/// Extracts the reason from an error text of VTK: the first line after "vtkClass (address): ".
 std::string ReasonOf(const std::string& text);
 
 } // namespace skyline

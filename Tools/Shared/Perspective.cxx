@@ -25,11 +25,11 @@
 namespace
 {
 
-/// Every pixel is the mean of so many columns and rows of samples: smooth rims, and no shimmer where
-/// many posts share a pixel.
+/// Each pixel is the mean of this many columns and rows of samples. This gives smooth edges, and no
+/// shimmer where many posts share a pixel.
 constexpr int Samples = 2;
 
-/// With Samples, the largest framebuffer of any OpenGL.
+/// With Samples, this is the largest framebuffer that every OpenGL supports.
 constexpr int LargestSide = 8192;
 
 std::string CheckSize(const std::string& text)
@@ -59,7 +59,7 @@ std::string CheckFrom(const std::string& text)
     : "";
 }
 
-// The means of blocks of samples, in linear light.
+// Averages blocks of samples in linear light.
 vtkSmartPointer<vtkImageData> Reduce(vtkUnsignedCharArray* samples, int width, int height)
 {
   std::array<float, 256> linear{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The terrain as a viewer sees it who stands beside it.
+// Draws a perspective view of the terrain.
 #ifndef skyline_Perspective_h
 #define skyline_Perspective_h
 
@@ -27,19 +27,19 @@ struct PerspectiveOptions
   std::string Size = "1600x1000";
   void AddTo(CLI::App& command);
 
-  /// The texts as numbers: pixels, degrees.
+  /// Converts the texts to numbers: pixels and degrees.
   void Read(int& width, int& height, double& azimuth, double& elevation) const;
 };
 
-/// What the picture shows beside the terrain's own light.
+/// What the picture shows besides the light on the terrain.
 struct PerspectiveLight
 {
   double Exposure = 0.0;                  ///< stops
   std::array<float, 3> SkyRadiance{ {} }; ///< for the background
 };
 
-/// A picture (the point array Picture, RGBA) of an image with the point arrays Elevation and Radiance, as
-/// vtkHeightFieldShading makes it. Throws Failure where OpenGL cannot be had.
+/// Draws an image with the point arrays Elevation and Radiance, as vtkHeightFieldShading makes it.
+/// The result has the point array Picture (RGBA). Throws Failure if OpenGL is not available.
 vtkSmartPointer<vtkImageData> DrawPerspective(vtkImageData* terrain, const PerspectiveLight& light,
   const PerspectiveOptions& options, const Talk& talk);
 

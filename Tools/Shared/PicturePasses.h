@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The passes that light a terrain for a picture: shade runs them once, the window again and again.
+// The passes that light a terrain for a picture. The command shade runs them once, the window
+// repeatedly.
 #ifndef skyline_PicturePasses_h
 #define skyline_PicturePasses_h
 
@@ -27,19 +28,20 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// Updates an algorithm as the pass of a name.
+/// Updates an algorithm as the pass with the given name.
 using RunFunction = std::function<void(vtkAlgorithm*, const std::string&)>;
 
-/// The heights times `factor`, which light and shadow then see; the same image where that is 1.
+/// The heights multiplied by `factor`, for light and shadow alike; the same image if the factor is
+/// 1.
 vtkSmartPointer<vtkImageData> Exaggerate(
   vtkImageData* heights, double factor, const RunFunction& run);
 
-/// Whether the light of a sky is an array of MakeSkyPass times the sky's radiance; others, but for a black
-/// one, are environments of MakeIrradiancePass.
+/// Returns whether the light of a sky is an array of MakeSkyPass, times the radiance of the sky.
+/// Other skies, except a black one, are environments of MakeIrradiancePass.
 bool HasSkyPass(SkyKind kind);
 bool HasEnvironment(SkyKind kind);
 
-/// How much light of a uniform or zonal sky each post gets, and the name of the array that says it.
+/// How much light of a uniform or zonal sky each post gets, and the name of the array for it.
 struct SkyPass
 {
   vtkSmartPointer<vtkHeightFieldAlgorithm> Filter;
@@ -49,20 +51,21 @@ SkyPass MakeSkyPass(
   const SkyDescription& sky, vtkImageData* terrain, const HorizonOptions& horizon);
 
 ///@{
-/// Light of environments, lamps and measured suns; shadows of the sun. The lights are still to be set.
+/// Makes the pass for environments, lamps and measured suns, and the one for shadows of the sun.
+/// The caller adds the lights.
 vtkSmartPointer<vtkHeightFieldIrradiance> MakeIrradiancePass(
   vtkImageData* terrain, const HorizonOptions& horizon);
 vtkSmartPointer<vtkHeightFieldSunShadow> MakeShadowPass(
   vtkImageData* terrain, const HorizonOptions& horizon);
 ///@}
 
-/// Whether the sun of that day gives any light.
+/// Returns whether the sun of that day gives any light.
 bool SunShines(const Daylight& day);
 
-/// The sun's own irradiance, if one is asked for, in place of that of a day whose sun is up.
+/// Replaces the irradiance of the sun by that of the user, if one is given and the sun is up.
 void ReplaceSun(const std::optional<std::array<double, 3>>& asked, Daylight& day);
 
-/// Sun and sky of a picture.
+/// Sets the sun and the sky of a picture.
 void SetDaylight(const Daylight& day, vtkHeightFieldShading* shading);
 
 } // namespace skyline

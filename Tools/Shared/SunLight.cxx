@@ -56,7 +56,7 @@ SunLight FindSun(const SunDescription& asked, const Georeference& place, double 
   sun.SkyAzimuth = sun.GridAzimuth;
   if (sun.TrueNorth)
   {
-    // Where the map keeps its angles both are one.
+    // On a map that preserves angles both are the same.
     const double ground = place.GroundAzimuthAt(column, row, sun.TrueAzimuth);
     if (std::abs(std::remainder(ground - sun.GridAzimuth, 360.0)) > AzimuthTolerance)
     {

@@ -19,10 +19,10 @@
 namespace
 {
 
-/// The block under the terrain: its depth below the lowest point, in widths of the terrain.
+/// The depth of the block below the lowest point of the terrain, in widths of the terrain.
 constexpr double SkirtDepth = 0.02;
 
-/// Where the sky is the only light, it would leave the range of a picture.
+/// A sky that is the only light would exceed the range of a picture.
 constexpr float BrightestSky = 0.22f;
 
 } // namespace
@@ -51,7 +51,7 @@ vtkSmartPointer<vtkHeightFieldSurface> MakeSkirt(
   return skirt;
 }
 
-// A white ground under pi times as much light.
+// The shader draws a white ground under pi times as much light.
 double ShaderExposure(double exposure)
 {
   return exposure + std::log2(Pi);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The terrain as something to look at: a mesh, the block under it, and the sky behind.
+// The parts of a 3-D view of the terrain: a mesh, the block below it, and the sky behind it.
 #ifndef skyline_TerrainActors_h
 #define skyline_TerrainActors_h
 
@@ -22,16 +22,18 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// Posts of a mesh, which larger terrain thins out; the light keeps its resolution.
+/// Greatest number of posts of a mesh. Larger terrain is thinned out; the light keeps its
+/// resolution.
 constexpr double MostMeshPosts = 4.0e6;
 
-/// The sRGB code of the factor on the light of the block's rim.
+/// The factor on the light of the sides of the block, as an sRGB code.
 constexpr double SkirtColor = 0.6;
 
-/// The triangles of the terrain (the point array Elevation), thinned out to so many posts; not updated.
+/// The triangles of the terrain (the point array Elevation), thinned out to `posts` posts; not
+/// updated.
 vtkSmartPointer<vtkHeightFieldSurface> MakeMesh(vtkImageData* terrain, double posts);
 
-/// The walls of the block under that mesh; not updated.
+/// The sides of the block below that mesh; not updated.
 vtkSmartPointer<vtkHeightFieldSurface> MakeSkirt(
   vtkImageData* terrain, double posts, vtkPolyData* mesh);
 
@@ -39,13 +41,14 @@ vtkSmartPointer<vtkHeightFieldSurface> MakeSkirt(
 vtkSmartPointer<vtkSkylineSoftShadowPolyDataMapper> MakeMapper(
   vtkAlgorithm* mesh, vtkImageData* terrain, double exposure);
 
-/// vtkSkylineSoftShadowShader's exposure for radiance: that is light times colour over pi already.
+/// The exposure of vtkSkylineSoftShadowShader for radiance, which already is light times colour /
+/// pi.
 double ShaderExposure(double exposure);
 
 vtkSmartPointer<vtkActor> MakeActor(vtkMapper* mapper, double color);
 
-/// The sky behind the terrain, from the picture's lower to its upper edge: that of the light, paler
-/// and brighter towards the horizon.
+/// Paints the sky behind the terrain, from the lower to the upper edge of the picture: the colour
+/// of its light, paler and brighter towards the horizon.
 void PaintSky(vtkRenderer* renderer, const std::array<float, 3>& radiance, double exposure);
 
 } // namespace skyline

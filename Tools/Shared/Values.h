@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The values of options: how the command line reads numbers and names, and says what is wrong with them.
+// The values of options: how numbers and names are parsed, and the messages for wrong ones.
 #ifndef skyline_Values_h
 #define skyline_Values_h
 
@@ -15,25 +15,25 @@
 namespace skyline
 {
 
-/// The numbers that an option takes.
+/// The range of numbers that an option accepts.
 struct Limits
 {
-  const char* Words; ///< as the message says them: "0 to 90 degrees"
-  double Least;      ///< taken, unless LeastOut
-  double Most;       ///< taken, unless MostOut
+  const char* Words; ///< for messages: "0 to 90 degrees"
+  double Least;      ///< accepted unless LeastOut
+  double Most;       ///< accepted unless MostOut
   bool LeastOut = false;
   bool MostOut = false;
 };
 
-/// Why `text` is not a number within the limits; empty if it is one.
+/// Returns why `text` is not a number within the limits; empty if it is one.
 std::string WhyNotWithin(const std::string& text, const Limits& limits);
 
 /// The same for a whole number.
 std::string WhyNotWhole(const std::string& text, int least, int most);
 
 ///@{
-/// Adds an option that takes one number. Its help shows the value that `target` has now; nothing for
-/// one that has none.
+/// Adds an option that takes one number. Its help shows the present value of `target`, if there is
+/// one.
 CLI::Option* AddNumber(CLI::App& command, const std::string& name, double& target,
   const Limits& limits, const std::string& help);
 CLI::Option* AddNumber(CLI::App& command, const std::string& name, std::optional<double>& target,
@@ -42,8 +42,8 @@ CLI::Option* AddWhole(CLI::App& command, const std::string& name, int& target, i
   const std::string& help);
 ///@}
 
-/// Calls `read`, which reads the text of an option. A std::exception that it throws is what is wrong with
-/// the text, and refuses it.
+/// Calls `read`, which parses the text of an option. The text of a std::exception that it throws is
+/// the error message of the option.
 template <typename Read>
 void Refusing(const std::string& option, const Read& read)
 {
@@ -57,7 +57,8 @@ void Refusing(const std::string& option, const Read& read)
   }
 }
 
-/// Adds an option whose text `parse` turns into a value, for `take`; it throws where it cannot.
+/// Adds an option. `parse` converts its text to a value, which `take` gets; it throws for wrong
+/// texts.
 template <typename Parse, typename Take>
 CLI::Option* AddParsed(CLI::App& command, const std::string& name, const Parse& parse,
   const Take& take, const std::string& help)
@@ -68,10 +69,10 @@ CLI::Option* AddParsed(CLI::App& command, const std::string& name, const Parse& 
     help);
 }
 
-/// A check of an option's text by a function that returns what is wrong, or nothing.
+/// Makes a check of the text of an option from a function that returns the error, or an empty text.
 CLI::Validator Checked(std::string (*check)(const std::string&));
 
-/// A check that a text is one of the names.
+/// Makes a check that a text is one of the names.
 CLI::Validator OneOf(const std::vector<std::string>& names);
 
 } // namespace skyline

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The exposure of the window: automatic, which lets night be dark, or fixed.
+// The exposure of the window: automatic, with dark nights, or fixed.
 #ifndef skyline_Exposure_h
 #define skyline_Exposure_h
 
 namespace skyline
 {
 
-/// Where the automatic exposure stops to follow in full: bright parts of the terrain (its 98th
-/// percentile) are as dark as middle grey in daylight. Stops, log2(AutoLevel / ToneGrey).
+/// The automatic exposure follows fully up to this many stops, log2(AutoLevel / ToneGrey): bright
+/// parts of the terrain (its 98th percentile) are then as dark as middle grey in daylight.
 constexpr double FullAdaptation = 1.92;
 
-/// The share of the stops beyond, by which eye and camera do not adapt: night is 3 to 4 stops darker
-/// than day, not twenty, and not none.
+/// The share of the further stops to which eye and camera do not adapt: night is shown 3 to 4 stops
+/// darker than day, not 20, and not 0.
 constexpr double UnadaptedShare = 0.2;
 
-/// The automatic exposure of the window: that which would show the terrain as bright as by day
-/// (stops), less a part of what lies beyond FullAdaptation. Rises with its argument, without a step.
+/// The automatic exposure of the window in stops: `stops`, which would show the terrain as bright
+/// as by day, minus a part of what exceeds FullAdaptation. The function is monotonic and
+/// continuous.
 double AdaptedStops(double stops);
 
 } // namespace skyline

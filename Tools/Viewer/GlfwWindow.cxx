@@ -22,7 +22,7 @@
 namespace
 {
 
-/// An interrupt is noticed within so many seconds, events or not.
+/// An interrupt is noticed within this many seconds, with or without events.
 constexpr double LongestWait = 0.5;
 
 constexpr int LeastWidth = 160;
@@ -52,7 +52,7 @@ skyline::Modifiers ModifiersOf(int bits)
   return with;
 }
 
-// Pixels of the framebuffer in a unit of the window.
+// Pixels of the framebuffer per unit of the window.
 double PixelsAUnit(GLFWwindow* window)
 {
   int units = 0;
@@ -106,7 +106,7 @@ int KeyOf(int key, int scancode)
     default:
       break;
   }
-  // What is printed on the key in the user's layout, where that is a plain sign.
+  // Use the sign that is printed on the key in the user's layout, if it is a plain one.
   const char* name = glfwGetKeyName(key, scancode);
   if (name && name[0] > ' ' && name[1] == '\0')
   {
@@ -138,7 +138,7 @@ void OnButton(GLFWwindow* window, int button, int action, int bits)
   {
     return;
   }
-  // Where the moves so far have led: the cursor may be further on, if a picture took long.
+  // Use the position of the last move event: the cursor may be further on if a picture took long.
   ViewerOf(window)->MousePress(button == GLFW_MOUSE_BUTTON_LEFT ? skyline::MouseButton::Left
       : button == GLFW_MOUSE_BUTTON_RIGHT                       ? skyline::MouseButton::Right
                                                                 : skyline::MouseButton::Middle,
@@ -151,7 +151,7 @@ void OnDrop(GLFWwindow* window, int count, const char** files)
   glfwSetWindowTitle(window, ViewerOf(window)->GetTitle().c_str());
 }
 
-// Calls a function at an event of VTK's.
+// Calls a function at a VTK event.
 template <typename Function>
 void Observe(vtkObject* object, unsigned long event, GLFWwindow* handle, Function function)
 {
@@ -182,7 +182,7 @@ GlfwWindow::GlfwWindow(int width, int height)
 {
   glfwSetErrorCallback(KeepReason);
 #ifdef GLFW_PLATFORM_X11
-  glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11); // Debian's VTK finds OpenGL by GLX
+  glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11); // VTK of Debian uses OpenGL through GLX
 #endif
   if (!glfwInit())
   {
@@ -217,8 +217,9 @@ GlfwWindow::GlfwWindow(int width, int height)
   glfwSetWindowSizeLimits(this->Handle, LeastWidth, LeastHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwMakeContextCurrent(this->Handle);
   glfwSwapInterval(1);
-  // VTK puts back the context's own state after each picture, and counts on this one, which is not
-  // OpenGL's default: without it, of flat things at one depth the first would win.
+  // VTK restores the initial state of the context after each picture and relies on this depth
+  // function, which is not the default of OpenGL. Without it, the first of two flat objects at the
+  // same depth would be drawn.
   constexpr unsigned int lessOrEqual = 0x0203;
   reinterpret_cast<void (*)(unsigned int)>(glfwGetProcAddress("glDepthFunc"))(lessOrEqual);
   this->MakeRenderWindow();

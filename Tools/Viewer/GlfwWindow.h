@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A window of GLFW 3 that VTK draws in.
+// A window of GLFW 3 in which VTK draws.
 #ifndef skyline_GlfwWindow_h
 #define skyline_GlfwWindow_h
 
@@ -18,12 +18,12 @@ namespace skyline
 
 class Viewer;
 
-/// GLFW is the process's: one window at a time.
+/// A window. GLFW is global in the process, so there can be only one at a time.
 class GlfwWindow
 {
 public:
-  /// `width`, `height`: of the window in the desktop's units, made smaller where the screen is. Throws
-  /// Failure where there is no display, or no OpenGL 3.2 on it.
+  /// `width` and `height` are in units of the desktop; they are reduced if the screen is smaller.
+  /// Throws Failure without a display, or without OpenGL 3.2.
   GlfwWindow(int width, int height);
   ~GlfwWindow();
   GlfwWindow(const GlfwWindow&) = delete;
@@ -32,12 +32,12 @@ public:
   vtkGenericOpenGLRenderWindow* GetRenderWindow() const;
   GLFWwindow* GetHandle() const { return this->Handle; }
 
-  /// From now on events go to the viewer, which must live until Disconnect or Run ends.
+  /// Sends events to the viewer, which must live until Disconnect is called or Run ends.
   void Connect(Viewer& viewer);
   void Disconnect();
 
-  /// Connects, and draws until the user leaves. Verbose: a line a picture with the times of its
-  /// passes. Throws Failure when interrupted.
+  /// Connects, and draws until the user quits. With --verbose, prints one line per picture with the
+  /// times of its passes. Throws Failure when interrupted.
   void Run(Viewer& viewer, const Talk& talk);
 
 private:

@@ -99,11 +99,11 @@ bool FindGround(vtkImageData* terrain, double exaggeration, const ScenePoint& fr
   const double posts =
     (last - first) * std::hypot((to[0] - from[0]) / spacing[0], (to[1] - from[1]) / spacing[1]);
   const int samples =
-    2 + static_cast<int>(std::min(SamplesAPost * posts, MostSamples)); // NaN cannot be here
+    2 + static_cast<int>(std::min(SamplesAPost * posts, MostSamples)); // NaN is excluded above
   const auto depth = [&](double part)
   {
     const ScenePoint point = Between(from, to, part);
-    return GroundAt(terrain, exaggeration, point[0], point[1]) - point[2]; // above 0: under ground
+    return GroundAt(terrain, exaggeration, point[0], point[1]) - point[2]; // above 0: below ground
   };
   double above = first;
   for (int k = 0; k <= samples; ++k)

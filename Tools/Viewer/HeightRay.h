@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a line of sight meets the terrain.
+// Finds where a line of sight meets the terrain.
 #ifndef skyline_HeightRay_h
 #define skyline_HeightRay_h
 
@@ -14,17 +14,18 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-using ScenePoint = std::array<double, 3>; ///< the image's coordinates, metres, heights exaggerated
+using ScenePoint = std::array<double, 3>; ///< image coordinates, metres; heights exaggerated
 
-/// Height of the ground at a place, bilinear between posts, times the exaggeration; NaN beside the
-/// field and where a post of the cell is missing.
+/// The height of the ground at a place, bilinear between posts, times the exaggeration. NaN outside
+/// the field and in cells with a missing post.
 double GroundAt(vtkImageData* terrain, double exaggeration, double x, double y);
 
-/// The same, 0 in place of NaN.
+/// The same, with 0 instead of NaN.
 double GroundOrZero(vtkImageData* terrain, double exaggeration, double x, double y);
 
-/// The first place where the way from `from` to `to` goes under the ground, to a hundredth of a post
-/// spacing; false if there is none. The way is sampled twice a post: a sharper needle may be missed.
+/// Finds the first place where the way from `from` to `to` goes below the ground, to 0.01 post
+/// spacings. Returns false if there is none. The way is sampled twice per post, so a narrow peak
+/// may be missed.
 bool FindGround(vtkImageData* terrain, double exaggeration, const ScenePoint& from,
   const ScenePoint& to, ScenePoint& found);
 

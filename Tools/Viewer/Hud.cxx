@@ -29,11 +29,11 @@ using Corner = std::array<double, 2>;
 constexpr Color Dark{ { 20, 24, 30, 190 } };
 constexpr Color Light{ { 240, 240, 235, 255 } };
 constexpr Color Warm{ { 255, 190, 70, 255 } };
-constexpr double KnobRadius = 8.0; // pixels for a font of 14
+constexpr double KnobRadius = 8.0; // pixels, for a font size of 14
 constexpr int KnobCorners = 20;
 constexpr double PanelOpacity = 0.65;
 
-// Convex polygons, each of one colour.
+// Convex polygons, each with one colour.
 class Canvas
 {
 public:
@@ -88,10 +88,11 @@ private:
   vtkNew<vtkUnsignedCharArray> Colors;
 };
 
-/// From the middle of the arrow's disc to the letter, in its radii.
+/// The distance of the letter from the middle of the arrow's disc, in its radii.
 constexpr double LetterPlace = 0.62;
 
-// North as the camera sees it: up where the camera looks north. The letter goes with it.
+// Draws the arrow to the north as the camera sees it: upwards if the camera looks north. Returns
+// the place of the letter.
 Corner DrawArrow(Canvas& canvas, const skyline::HudLayout& layout, double heading)
 {
   const double angle = -heading * skyline::RadiansPerDegree;
@@ -183,10 +184,10 @@ void Hud::Show(const HudContent& content, const HudLayout& layout)
   const int height = layout.Height;
   const double margin = layout.Margin;
   const int size = layout.FontSize;
-  const double unit = size / 14.0; // the scale of the layout
+  const double unit = size / 14.0; // scale of the layout
   Canvas canvas(this->Shapes);
 
-  // Help shrinks until it fits; then it leaves no room for other lines.
+  // The help is scaled down until it fits; then there is no room for other lines.
   const double lines = 25.0;
   const double letters = 92.0;
   const int fitting = static_cast<int>(

@@ -21,19 +21,19 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// What it says.
+/// What the display shows.
 struct HudContent
 {
   std::string Status;
   std::string Times;
   std::string Message;
-  std::string Help; ///< in the middle; empty: none
+  std::string Help; ///< in the middle of the window; empty: none
   std::array<ViewerSlider, ViewerState::Sliders> Sliders;
-  double Heading = 0.0;      ///< degrees clockwise from north, in which the camera looks
+  double Heading = 0.0;      ///< direction of view, degrees clockwise from north
   double MetresAPixel = 0.0; ///< 0: no scale bar
 };
 
-/// In a renderer of its own, for a layer over the picture's.
+/// Draws the display in a renderer of its own, for a layer above the picture.
 class Hud
 {
 public:

@@ -8,10 +8,10 @@
 namespace
 {
 
-// Sizes at scale 1, pixels.
+// Sizes in pixels at scale 1.
 constexpr double Margin = 12.0;
 constexpr double FontSize = 14.0;
-constexpr double SliderHeight = 26.0; // taken by the mouse
+constexpr double SliderHeight = 26.0; // area that reacts to the mouse
 constexpr double TrackHeight = 6.0;
 constexpr double LabelWidth = 92.0;
 constexpr double WidestSlider = 560.0;
@@ -20,7 +20,7 @@ constexpr double ArrowRadius = 22.0;
 constexpr double LongestBar = 160.0;
 constexpr double ShortestBar = 40.0;
 
-// The least window, at scale 1, that has room for a part.
+// The smallest window, at scale 1, that has room for a part.
 constexpr double StatusWidth = 300.0, StatusHeight = 160.0;
 constexpr double TimesWidth = 560.0, TimesHeight = 300.0;
 constexpr double ArrowWidth = 120.0, ArrowHeight = 120.0;
@@ -62,7 +62,7 @@ HudLayout::HudLayout(int width, int height, double scale)
     }
     HudBox& box = this->Sliders[k];
     box.X = this->Margin;
-    box.Y = this->Margin + (k == 0 ? SliderHeight * scale : 0.0); // the first above the second
+    box.Y = this->Margin + (k == 0 ? SliderHeight * scale : 0.0); // the first is above the second
     box.Width = length;
     box.Height = SliderHeight * scale;
     this->Tracks[k] = { box.X, box.Y + 0.5 * (box.Height - TrackHeight * scale), length,

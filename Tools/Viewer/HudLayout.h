@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the heads-up display has its parts: pixels of the framebuffer, origin lower left.
+// The layout of the heads-up display, in pixels of the framebuffer with the origin at the lower
+// left.
 #ifndef skyline_HudLayout_h
 #define skyline_HudLayout_h
 
@@ -10,7 +11,7 @@
 namespace skyline
 {
 
-/// A rectangle; of no width where there is no room for it.
+/// A rectangle. Its width is 0 if there is no room for it.
 struct HudBox
 {
   double X = 0.0, Y = 0.0, Width = 0.0, Height = 0.0;
@@ -22,8 +23,9 @@ struct HudBox
   }
 };
 
-/// The layout for a framebuffer of width x height pixels whose texts are enlarged by `scale` (1: 96
-/// dots an inch). In small windows parts are left out: first the times, then the sliders, then all.
+/// The layout for a framebuffer of width x height pixels, with texts enlarged by `scale` (1 for 96
+/// dots per inch). In small windows parts are left out: first the times, then the sliders, then
+/// everything.
 struct HudLayout
 {
   HudLayout() = default;
@@ -36,22 +38,23 @@ struct HudLayout
   bool Arrow = false;
   bool Bar = false;
   double Margin = 0.0;
-  int FontSize = 0;                    ///< points of VTK's text, at 72 dots an inch
-  std::array<HudBox, 2> Sliders{ {} }; ///< where the mouse takes them
-  std::array<HudBox, 2> Tracks{ {} };  ///< what is drawn of them
+  int FontSize = 0;                    ///< points of VTK's text, at 72 dots per inch
+  std::array<HudBox, 2> Sliders{ {} }; ///< areas that react to the mouse
+  std::array<HudBox, 2> Tracks{ {} };  ///< the drawn parts
   std::array<double, 2> ArrowCenter{ {} };
   double ArrowRadius = 0.0;
-  std::array<double, 2> BarRight{ {} }; ///< the scale bar's lower right corner
+  std::array<double, 2> BarRight{ {} }; ///< lower right corner of the scale bar
   double LongestBar = 0.0;
 
-  /// The part, 0 to 1, of a slider's track at x, clamped.
+  /// Returns the position of x on the track of a slider, 0 to 1, clamped.
   double PartAt(std::size_t slider, double x) const;
 };
 
-/// The longest length of 1, 2 or 5 times a power of ten that fits; 0 for no room.
+/// The greatest length of 1, 2 or 5 times a power of ten that is at most `longest`; 0 if there is
+/// no room.
 double RoundLength(double longest);
 
-/// A length in metres as people write it: 500 m, 2 km, 5 mm.
+/// A length in metres as text: 500 m, 2 km, 5 mm.
 std::string LengthText(double metres);
 
 } // namespace skyline

@@ -19,7 +19,7 @@ namespace
 /// A slope that hides nothing.
 constexpr float Free = -1.0e30f;
 
-// The ring's posts of a square of 2 k + 1 posts, those inside the field.
+// Visits the posts on the border of a square of 2 k + 1 posts that are inside the field.
 template <typename Visit>
 void ForRing(std::ptrdiff_t k, std::ptrdiff_t column, std::ptrdiff_t row, std::ptrdiff_t columns,
   std::ptrdiff_t rows, Visit visit)
@@ -78,8 +78,9 @@ LampPreview::LampPreview(vtkImageData* terrain)
 
 std::vector<float> LampPreview::Visibility(const ViewerLamp& lamp, double z) const
 {
-  // The highest slope from the lamp's lowest point up to a post, and how far from the lamp that is: the
-  // obstacle that hides the lamp's lower end hides the rest of it next.
+  // For each post: the greatest slope on the way to it from the lowest point of the lamp, and the
+  // distance of that obstacle from the lamp. The obstacle that hides the lower end of the lamp also
+  // hides the rest next.
   std::vector<float> slopes(this->Heights.size(), Free);
   std::vector<float> places(this->Heights.size(), 0.0f);
   std::vector<float> seen(this->Heights.size(), 1.0f);
@@ -120,7 +121,8 @@ std::vector<float> LampPreview::Visibility(const ViewerLamp& lamp, double z) con
     const float own = (this->Heights[here] - lowest) / std::max(distance, 1.0e-6f);
     if (slope > Free && place < distance)
     {
-      // The ray over the obstacle meets the lamp's upright so high above its lowest point.
+      // Height above the lowest point of the lamp where the ray over the obstacle meets its
+      // vertical axis.
       const float over = (slope - own) * distance * place / (distance - place);
       seen[here] = std::clamp(1.0f - 0.5f * over / radius, 0.0f, 1.0f);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A lamp's light within milliseconds, for as long as a hand moves it.
+// Computes the light of a lamp within milliseconds, while the user moves it.
 #ifndef skyline_LampPreview_h
 #define skyline_LampPreview_h
 
@@ -19,23 +19,24 @@ namespace skyline
 
 struct ViewerLamp;
 
-/// Lamps on one terrain: exact where nothing is between (DiscIrradiance), with approximate shadows.
+/// The light of lamps on one terrain: exact where nothing is in between (DiscIrradiance), with
+/// approximate shadows.
 ///
-/// One pass of rings of posts outwards from the lamp (XDRAW of Franklin and Ray, Higher isn't
-/// necessarily better, SDH 1994): the highest slope from the lamp on the way to a post is
-/// interpolated between the two posts of the ring before that the way passes; the share of the
-/// lamp over it makes the penumbra. As many steps as posts; shadow edges widen and wander with the
-/// distance, as is XDRAW's way.
+/// One pass goes over rings of posts outwards from the lamp (XDRAW of Franklin and Ray, Higher
+/// isn't necessarily better, SDH 1994). The greatest slope from the lamp on the way to a post is
+/// interpolated between the two posts of the previous ring that the way passes; the share of the
+/// lamp above it gives the penumbra. There are as many steps as posts. As always with XDRAW, the
+/// edges of shadows widen and shift with distance.
 class LampPreview
 {
 public:
-  /// `terrain`: with the point array Elevation, which is copied; its spacing counts as metres.
+  /// `terrain` has the point array Elevation, which is copied. Its spacing counts as metres.
   explicit LampPreview(vtkImageData* terrain);
 
-  /// Irradiance RGB at every post by a lamp whose centre lies at height `z`.
+  /// The irradiance (RGB) of each post by a lamp with its centre at the height `z`.
   vtkSmartPointer<vtkFloatArray> Light(const ViewerLamp& lamp, double z) const;
 
-  /// The share of the lamp that every post sees, 0 to 1, by the terrain between them alone.
+  /// The share of the lamp that each post sees, 0 to 1, hidden only by the terrain in between.
   std::vector<float> Visibility(const ViewerLamp& lamp, double z) const;
 
 private:

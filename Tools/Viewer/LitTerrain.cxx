@@ -28,13 +28,14 @@
 namespace
 {
 
-/// Bytes of horizons that may be kept to light with another map without a new search.
+/// Greatest size in bytes of the horizons that are kept to light with another map without a new
+/// search.
 constexpr double KeptHorizons = 1.0e9;
 
-/// A light map's sun below the horizon: the formulas of skies end at the horizon.
+/// Least elevation of the sun of a sky: sky formulas end at the horizon.
 constexpr double LowestSkySun = 0.0;
 
-// Calls a function at progress.
+// Calls a function at progress events.
 class Asking : public vtkCommand
 {
 public:
@@ -49,7 +50,7 @@ public:
   const std::function<bool()>* Stop = nullptr;
 };
 
-// A text that differs where one of the parts does.
+// A text that differs if one of the parts differs.
 template <typename... Parts>
 std::string Key(const Parts&... parts)
 {
@@ -65,7 +66,7 @@ vtkSmartPointer<vtkFloatArray> TakeArray(vtkAlgorithm* filter, const char* name)
   return vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(name));
 }
 
-// Of a sky that gives as much light as the posts get in the mean.
+// Radiance of a sky that gives as much light as the posts receive on average.
 skyline::Rgb MeanRadiance(vtkFloatArray* irradiance)
 {
   std::array<double, 3> sum{};
@@ -143,7 +144,7 @@ bool LitTerrain::Run(vtkAlgorithm* filter, const std::string& title, bool stoppa
   catch (...)
   {
     filter->RemoveObserver(tag);
-    filter->Modified(); // what failed is no result
+    filter->Modified(); // a failed update is no result
     throw;
   }
   filter->RemoveObserver(tag);
@@ -152,7 +153,7 @@ bool LitTerrain::Run(vtkAlgorithm* filter, const std::string& title, bool stoppa
   if (filter->GetAbortExecute())
   {
     filter->SetAbortExecute(0);
-    filter->Modified(); // nor is what was stopped
+    filter->Modified(); // neither is a stopped one
     return false;
   }
   return true;
@@ -201,7 +202,7 @@ bool LitTerrain::LightMap(const TerrainLight& light, bool exact)
   vtkSkylineEnvironmentLight* map = light.Environment;
   const bool byFormula = map->GetSource() != vtkSkylineEnvironmentLight::IMAGE;
   const double elevation = std::max(light.Sun.ApparentElevation, LowestSkySun);
-  const double given = byFormula ? light.Sun.ApparentElevation : 0.0; // twilight included
+  const double given = byFormula ? light.Sun.ApparentElevation : 0.0; // including twilight
   const std::string key =
     Key(light.Sky.Text, light.Rotation, exact, byFormula ? light.Sun.SkyAzimuth : 0.0, given);
   if (key == this->MapKey)

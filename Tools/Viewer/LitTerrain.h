@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A terrain and its light, computed layer by layer: what has not changed is not computed again.
+// A terrain and its light, computed layer by layer. A layer that has not changed is not recomputed.
 #ifndef skyline_LitTerrain_h
 #define skyline_LitTerrain_h
 
@@ -31,7 +31,7 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// Seconds by pass.
+/// Seconds for each pass.
 using PassTimes = std::vector<std::pair<std::string, double>>;
 
 /// The light on a terrain.
@@ -39,10 +39,10 @@ struct TerrainLight
 {
   bool SunOn = true;
   SunLight Sun;
-  SunDescription SunAsked; ///< what Sun was found from
+  SunDescription SunAsked; ///< what Sun was computed from
   SkyDescription Sky;
-  vtkSmartPointer<vtkSkylineEnvironmentLight> Environment; ///< of Formula, Perez and Map
-  Rgb MeasuredSun{ { 1, 1, 1 } };                          ///< irradiance beside a measured sky
+  vtkSmartPointer<vtkSkylineEnvironmentLight> Environment; ///< for Formula, Perez and Map
+  Rgb MeasuredSun{ { 1, 1, 1 } };                          ///< irradiance with a measured sky
   bool Air = true;
   double Rotation = 0.0; ///< degrees
   std::vector<ViewerLamp> Lamps;
@@ -54,27 +54,30 @@ struct TerrainLight
 class LitTerrain
 {
 public:
-  /// `heights`: with the point array Elevation.
+  /// `heights` has the point array Elevation.
   LitTerrain(vtkImageData* heights, const HorizonOptions& options);
   ~LitTerrain();
   LitTerrain(const LitTerrain&) = delete;
   LitTerrain& operator=(const LitTerrain&) = delete;
 
-  /// Asked between pieces of exact work; true stops it.
+  /// Called between parts of exact work; true stops the work.
   std::function<bool()> Stop;
 
-  /// Computes what differs from the last call. Not exact: light maps by spherical harmonics, the sun
-  /// by bounds of its horizon, as if it stood in one direction for all posts, lamps by LampPreview. False if stopped; the
-  /// output then is the last one. Throws Failure.
+  /// Computes what differs from the last call. If not exact, light maps are computed with spherical
+  /// harmonics, the sun from bounds of its horizon, as if it had one direction for all posts, and
+  /// lamps with LampPreview. Returns false if stopped; the output is then that of the last call.
+  /// Throws Failure.
   bool Light(const TerrainLight& light, bool exact);
 
-  /// The heights with Radiance, as vtkHeightFieldShading makes it; null before the first Light.
+  /// The heights with Radiance, as vtkHeightFieldShading makes it; null before the first call of
+  /// Light.
   vtkImageData* GetOutput() const;
   vtkImageData* GetHeights() const;                     ///< not exaggerated
-  double GetExposure() const { return this->Exposure; } ///< stops, automatic; a light map's in full
-  /// Mean of the sky over open level ground; of a formula's sky (CIE, not zonal) that of its zenith.
+  double GetExposure() const { return this->Exposure; } ///< automatic, stops; full for light maps
+  /// The mean radiance over open level ground; for a sky formula (CIE, not zonal) that of its
+  /// zenith.
   const Rgb& GetSkyRadiance() const { return this->SkyRadiance; }
-  /// Irradiance over pi of open level ground by sun and formula; without lamps and light maps.
+  /// Irradiance / pi of open level ground by sun and sky formula, without lamps and light maps.
   const Rgb& GetGroundLight() const { return this->GroundLight; }
   const PassTimes& GetTimes() const { return this->Times; } ///< of the last Light
 
@@ -100,11 +103,11 @@ private:
   HorizonOptions Options;
   vtkSmartPointer<vtkImageData> Heights;
   vtkSmartPointer<vtkImageData> Scaled; ///< exaggerated
-  double Exaggeration = 0.0;            ///< of Scaled; 0: not made yet
+  double Exaggeration = 0.0;            ///< of Scaled; 0: not computed yet
 
   vtkSmartPointer<vtkFloatArray> Sky; ///< of uniform and zonal skies
   std::string SkyKey;
-  vtkSmartPointer<vtkFloatArray> Map; ///< irradiance of light maps and formulas
+  vtkSmartPointer<vtkFloatArray> Map; ///< irradiance of light maps and sky formulas
   std::string MapKey;
   vtkSmartPointer<vtkHeightFieldIrradiance> FastMap, ExactMap;
   vtkSmartPointer<vtkFloatArray> Sun; ///< SunVisibility

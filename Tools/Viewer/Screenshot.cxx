@@ -33,7 +33,7 @@
 namespace
 {
 
-// Draws into floats and reads them back, where VTK's own framebuffer has codes of 8 bits.
+// Draws into floats and reads them back; the framebuffer of VTK has only 8 bits per channel.
 class FloatPass : public vtkImageProcessingPass
 {
 public:
@@ -80,7 +80,7 @@ protected:
 };
 vtkStandardNewMacro(FloatPass);
 
-// The brightest channel of lit terrain and sky; 1 where all is dark.
+// The brightest channel of lit terrain and sky; 1 if everything is dark.
 float PeakOf(vtkImageData* lit, const skyline::SkyImage& sky)
 {
   float peak = sky.Peak();
@@ -139,7 +139,7 @@ void WritePng(vtkRenderWindow* window, const std::string& file)
 void WriteExr(vtkRenderWindow* window, vtkRenderer* renderer, vtkSkylineSoftShadowShader* shader,
   SkyDome& sky, const std::string& file)
 {
-  // The shader makes codes of light up to 1; as floats they keep it, so the brightest becomes 1.
+  // The shader writes codes of light up to 1, which floats keep; so the brightest light becomes 1.
   const float peak = PeakOf(shader->GetHeightField(), sky.GetSky());
   vtkNew<vtkOpaquePass> opaque;
   vtkNew<vtkCameraPass> camera;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a window shows, as a file.
+// Writes the content of a window to a file.
 #ifndef skyline_Screenshot_h
 #define skyline_Screenshot_h
 
@@ -18,14 +18,14 @@ namespace skyline
 
 class SkyDome;
 
-/// The first of skyline-1.png, skyline-2.png ... in the folder that is not there yet.
+/// The first name of skyline-1.png, skyline-2.png ... that does not exist in the folder.
 std::string FreeName(const std::string& folder, const std::string& extension);
 
-/// The window's picture as it was drawn last, as a PNG. Throws Failure.
+/// Writes the last picture of the window as a PNG. Throws Failure.
 void WritePng(vtkRenderWindow* window, const std::string& file);
 
-/// The renderer's view in linear light, before exposure and tone curve, as OpenEXR of 32-bit floats,
-/// the sky without its sun's disc. Draws it. Throws Failure.
+/// Draws the view of the renderer in linear light, before exposure and tone curve, without the disc
+/// of the sun, and writes it as OpenEXR of 32-bit floats. Throws Failure.
 void WriteExr(vtkRenderWindow* window, vtkRenderer* renderer, vtkSkylineSoftShadowShader* shader,
   SkyDome& sky, const std::string& file);
 

@@ -27,22 +27,22 @@
 namespace
 {
 
-/// Pieces of the sphere around the horizon and from zenith to nadir.
+/// Number of pieces of the sphere around the horizon, and from the zenith to the nadir.
 constexpr int Slices = 120;
 constexpr int Stacks = 60;
 
-/// The sphere's facets come nearer than its corners, by less than this.
+/// The facets of the sphere are nearer than its corners, by less than this factor.
 constexpr double Slack = 1.01;
 
-/// The near plane's least part of the far plane's distance.
+/// Least distance of the near plane as a part of that of the far plane.
 constexpr double NearestPart = 1.0e-4;
 
-/// The least change of exposure, stops, that is developed anew.
+/// Least change of the exposure, in stops, for which the picture is made again.
 constexpr double LeastChange = 0.002;
 
 constexpr vtkIdType PixelsAPiece = 8192;
 
-// A sphere of radius 1 seen from inside: u clockwise from the south, v up from the nadir.
+// Makes a sphere of radius 1 seen from inside: u clockwise from the south, v up from the nadir.
 vtkSmartPointer<vtkPolyData> MakeSphere()
 {
   vtkNew<vtkPoints> points;
@@ -78,7 +78,7 @@ vtkSmartPointer<vtkPolyData> MakeSphere()
   return sphere;
 }
 
-// As it is, unlit, and of no account for the camera.
+// Makes an unlit actor that the camera ignores when it sets its planes.
 vtkSmartPointer<vtkActor> MakeBackdrop(vtkPolyData* shape)
 {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -91,7 +91,7 @@ vtkSmartPointer<vtkActor> MakeBackdrop(vtkPolyData* shape)
   return actor;
 }
 
-// The values of a sky, top row first, as a texture's, bottom row first.
+// Converts the values of a sky, top row first, to those of a texture, bottom row first.
 template <typename Value, typename Code>
 void Encode(const skyline::SkyImage& sky, Value* to, Code code)
 {
@@ -165,7 +165,7 @@ void SkyDome::Show(vtkDataArray* pixels)
   vtkNew<vtkImageData> image;
   image->SetDimensions(static_cast<int>(this->Sky.Columns), static_cast<int>(this->Sky.Rows), 1);
   image->GetPointData()->SetScalars(pixels);
-  // The texture goes round: zenith and nadir stop where their rows have their middles.
+  // The texture is periodic; at the zenith and the nadir it ends in the middle of its last rows.
   const double end = 0.5 / static_cast<double>(this->Sky.Rows);
   for (vtkIdType slice = 0; slice <= Slices; ++slice)
   {
@@ -223,11 +223,12 @@ void SkyDome::Surround()
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   const double* range = camera->GetClippingRange();
-  // A camera that looks away from everything has no planes of use.
+  // A camera that looks away from everything has no useful planes.
   const double reach = std::max(range[1], camera->GetDistance());
   const double near = std::max(range[0], NearestPart * reach);
   const double half = std::tan(0.5 * camera->GetViewAngle() * RadiansPerDegree);
-  // In the picture's corner the sphere is still behind the far plane of all else.
+  // In the corner of the picture the sphere must still be behind the far plane of all other
+  // objects.
   const double corner =
     std::hypot(1.0, half * std::hypot(1.0, this->Renderer->GetTiledAspectRatio()));
   const double radius = Slack * Slack * reach * corner;
@@ -242,7 +243,7 @@ void SkyDome::Surround()
     eye[1] + away * level * std::cos(this->SunAzimuth),
     eye[2] + away * std::sin(this->SunElevation));
   this->Sun->SetScale(away * std::tan(this->SunRadius));
-  // The disc lies across the z axis: tilt it towards the camera, then turn it.
+  // The disc is perpendicular to the z axis: tilt it towards the camera, then turn it.
   this->Sun->SetOrientation(0.0, 0.0, 0.0);
   this->Sun->RotateZ(-this->SunAzimuth / RadiansPerDegree);
   this->Sun->RotateX(90.0 + this->SunElevation / RadiansPerDegree);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sky behind the terrain, where the light says it is.
+// The sky behind the terrain, as the light describes it.
 #ifndef skyline_SkyDome_h
 #define skyline_SkyDome_h
 
@@ -20,34 +20,36 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// A sphere around the camera, behind everything, with the sky as its texture, and the sun's disc.
+/// A sphere around the camera, behind everything else, with the sky as its texture, and the sun's
+/// disc.
 class SkyDome
 {
 public:
-  /// The sky's typical luminance is shown at most so bright: a photographer's graduated filter,
-  /// without which it would be white where the sky is most of the light.
+  /// Greatest brightness at which the typical luminance of the sky is shown, like a graduated
+  /// filter in photography. Without it the sky would be white where it is most of the light.
   static constexpr float BrightestTypical = 0.4f;
 
-  /// Adds itself to the renderer, behind nothing yet.
+  /// Adds itself to the renderer, without a sky.
   explicit SkyDome(vtkRenderer* renderer);
 
   void SetSky(SkyImage sky);
-  void SetRotation(double degrees); ///< clockwise, of the sky but not of the sun
+  void SetRotation(double degrees); ///< clockwise; turns the sky, but not the sun
 
-  /// The sun's disc in a direction (degrees from grid north, degrees up), or none.
+  /// Shows the sun's disc in a direction (degrees from grid north, degrees of elevation), or hides
+  /// it.
   void SetSun(bool on, double azimuth, double elevation, double radius);
 
-  /// The picture at an exposure in stops, tone-mapped.
+  /// Makes the picture of the sky at an exposure in stops, tone-mapped.
   void Develop(double stops);
 
-  /// The codes of light over `peak`, as floats without a tone curve and without the sun's disc, until
-  /// Develop.
+  /// Makes a picture of light divided by `peak`, as floats without tone curve and without the sun's
+  /// disc, until Develop is called.
   void DevelopLinear(float peak);
 
   const SkyImage& GetSky() const { return this->Sky; }
 
-  /// Around the renderer's camera, whose far plane it moves back; after the near and far plane have
-  /// been set for everything else.
+  /// Places the sphere around the camera of the renderer and moves the far plane behind it. To be
+  /// called after the near and far plane were set for everything else.
   void Surround();
 
 private:
@@ -60,7 +62,7 @@ private:
   bool SunOn = false;
   double SunAzimuth = 0.0, SunElevation = 0.0, SunRadius = 0.0;
   vtkSmartPointer<vtkActor> Dome, Sun;
-  vtkSmartPointer<vtkFloatArray> Places; ///< of the sphere's corners in the texture
+  vtkSmartPointer<vtkFloatArray> Places; ///< of the corners of the sphere in the texture
   vtkSmartPointer<vtkTexture> Texture;
 };
 

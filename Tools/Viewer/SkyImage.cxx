@@ -17,7 +17,7 @@ namespace
 using skyline::Rgb;
 using skyline::SkyImage;
 
-/// The uniform sky's number among those of CIE S 011.
+/// The number of the uniform sky in CIE S 011.
 constexpr int UniformType = 5;
 
 SkyImage Blank(std::ptrdiff_t columns, std::ptrdiff_t rows)
@@ -35,7 +35,7 @@ double SineOf(std::ptrdiff_t row, std::ptrdiff_t rows)
   return std::cos(skyline::Pi * (static_cast<double>(row) + 0.5) / static_cast<double>(rows));
 }
 
-// Each row by its sine above the horizon, over the mean of open level ground's irradiance over pi.
+// Each row has the radiance for its elevation, relative to irradiance / pi on open level ground.
 SkyImage Zonal(const skyline::SkyDescription& description, const Rgb& level)
 {
   const int type = description.Kind == skyline::SkyKind::Zonal ? description.CieType : UniformType;
@@ -67,7 +67,7 @@ SkyImage Zonal(const skyline::SkyDescription& description, const Rgb& level)
   return sky;
 }
 
-// The map with its factors, blocks of pixels averaged.
+// The map with its factors, reduced by averaging blocks of pixels.
 SkyImage Mapped(const skyline::TurnedLightMap& light, std::ptrdiff_t most)
 {
   const std::ptrdiff_t block = (light.Map.Columns + most - 1) / most;
@@ -105,7 +105,7 @@ SkyImage Mapped(const skyline::TurnedLightMap& light, std::ptrdiff_t most)
   return sky;
 }
 
-// Each row counts by its solid angle; 0 where nothing shines.
+// The typical luminance. Each row counts by its solid angle; 0 if everything is dark.
 float TypicalOf(const SkyImage& sky)
 {
   double sum = 0.0;
@@ -128,7 +128,7 @@ float TypicalOf(const SkyImage& sky)
   return weights > 0.0 ? static_cast<float>(std::exp(sum / weights)) : 0.0f;
 }
 
-// From the row above the horizon to the plain.
+// Fills the rows below the horizon: from the row above the horizon to the plain.
 void FillBelow(SkyImage& sky, const Rgb& ground)
 {
   const std::ptrdiff_t half = sky.Rows / 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Local time of a day, as two sliders set it.
+// The local time of a day, set by two sliders.
 #ifndef skyline_SunClock_h
 #define skyline_SunClock_h
 
@@ -8,12 +8,13 @@
 namespace skyline
 {
 
-/// Whole hours that the nautical time zone of a longitude (degrees east) is ahead of UTC: 15 degrees
-/// an hour, no politics.
+/// Whole hours that the nautical time zone of a longitude (degrees east) is ahead of UTC: one hour
+/// per 15 degrees, whatever the borders.
 int NauticalZone(double longitude);
 
-/// A moment as year, day of the year and minutes of the day, in a zone of whole hours. Years 1901 to
-/// 2099, which all times that Skyline knows contain in every zone; steps beyond stop there.
+/// A time as year, day of the year and minutes of the day, in a time zone of whole hours. The years
+/// are 1901 to 2099, which the supported times contain in every time zone; steps stop at their
+/// limits.
 class SunClock
 {
 public:
@@ -23,8 +24,8 @@ public:
 
   SunClock() = default;
 
-  /// Time given as text that ParseUtcTime reads; throws what that throws, and
-  /// std::out_of_range beyond the years above.
+  /// `time` is a text that ParseUtcTime can read. Throws its exceptions, and std::out_of_range for
+  /// other years.
   SunClock(const std::string& time, int zone);
 
   SunClock(int year, int dayOfYear, double minutes, int zone);
@@ -32,16 +33,16 @@ public:
   int GetYear() const { return this->Year; }
   int GetDayOfYear() const { return this->DayOfYear; } ///< 1 to DaysOfYear
   int DaysOfYear() const;
-  double GetMinutes() const { return this->Minutes; } ///< 0 up to 1440, local
+  double GetMinutes() const { return this->Minutes; } ///< 0 to below 1440, local
   int GetZone() const { return this->Zone; }          ///< hours ahead of UTC
 
-  void SetDayOfYear(int day);      ///< clamped
-  void SetMinutes(double minutes); ///< of this day, clamped to 0 up to a second before midnight
-  void AddMinutes(double minutes); ///< into other days
+  void SetDayOfYear(int day);      ///< clamped to the year
+  void SetMinutes(double minutes); ///< of this day, clamped to 0 ... one second before midnight
+  void AddMinutes(double minutes); ///< may lead to other days
   void AddDays(int days);
-  void TurnMinutes(double minutes); ///< round the clock, within this day
+  void TurnMinutes(double minutes); ///< wraps around within this day
 
-  /// The moment with its zone, for ParseUtcTime, to the second.
+  /// The time with its time zone, for ParseUtcTime, to the second.
   std::string ToTime() const;
 
   std::string LocalDate() const;  ///< 2026-06-21

@@ -26,7 +26,7 @@
 namespace
 {
 
-/// A lamp is drawn so many pixels wide at least, or it could not be found.
+/// Least width of a lamp in pixels, so that the user can find it.
 constexpr double LeastLampPixels = 5.0;
 
 vtkSmartPointer<vtkPoints> Stretched(vtkPoints* points, double factor)
@@ -71,7 +71,7 @@ TerrainScene::TerrainScene(vtkImageData* heights)
   , CoarseMesh(this->MakeMeshActors(CoarsePosts))
 {
   this->SetCoarse(false);
-  this->Sky = std::make_unique<SkyDome>(this->Renderer); // last: most of it is hidden
+  this->Sky = std::make_unique<SkyDome>(this->Renderer); // last, since most of it is hidden
 }
 
 TerrainScene::Mesh TerrainScene::MakeMeshActors(double posts)
@@ -208,7 +208,7 @@ void TerrainScene::ResetCamera(double azimuth, double elevation, double aspect)
   FitCamera(camera, { ground, wall }, standpoint);
   if (elevation < 90.0)
   {
-    camera->SetViewUp(0.0, 0.0, 1.0); // the terrain style turns about the vertical
+    camera->SetViewUp(0.0, 0.0, 1.0); // the camera turns about the vertical
   }
   this->FocusOnGround();
   this->Prepare();

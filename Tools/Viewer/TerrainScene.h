@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The terrain, its light and its lamps in a renderer, with a camera.
+// The terrain, its light and its lamps in a renderer with a camera.
 #ifndef skyline_TerrainScene_h
 #define skyline_TerrainScene_h
 
@@ -26,21 +26,22 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// One terrain at two resolutions of its mesh: fine, and coarse for as long as something moves.
+/// One terrain at two resolutions of its mesh: fine, and coarse while something moves.
 class TerrainScene
 {
 public:
   /// Posts of the coarse mesh.
   static constexpr double CoarsePosts = 20000.0;
 
-  /// Throws Failure where no cell of the terrain has all its posts.
+  /// Throws Failure if no cell of the terrain has all its posts.
   explicit TerrainScene(vtkImageData* heights);
 
   vtkRenderer* GetRenderer() const;
   vtkImageData* GetHeights() const;
   vtkSkylineSoftShadowShader* GetShader() const;
 
-  /// What vtkHeightFieldShading made of these heights, or of some of their posts.
+  /// Sets the light: the output of vtkHeightFieldShading for these heights or for some of their
+  /// posts.
   void SetLight(vtkImageData* lit);
   SkyDome& GetSky() { return *this->Sky; }
   void SetExposure(double stops);
@@ -49,32 +50,34 @@ public:
   bool IsCoarse() const { return this->Coarse; }
   void SetLamps(const std::vector<ViewerLamp>& lamps);
 
-  /// All of the terrain in the picture, seen from azimuth and elevation in degrees.
+  /// Shows the whole terrain, seen from an azimuth and an elevation in degrees.
   void ResetCamera(double azimuth, double elevation, double aspect);
 
-  /// The camera's focus, about which it turns, to the ground in the middle of the picture, which stays.
+  /// Moves the focus of the camera, about which it turns, to the ground in the middle of the
+  /// picture. The picture does not change.
   void FocusOnGround();
 
-  /// Before drawing: lamps, sky and depth as the camera sees them.
+  /// Prepares lamps, sky and depth for the camera. To be called before drawing.
   void Prepare();
 
-  /// The ground under a pixel; false beside it.
+  /// Finds the ground under a pixel. Returns false if there is none.
   bool FindPlace(double x, double y, ScenePoint& place) const;
 
-  /// The unit vector in which the camera sees a pixel.
+  /// The unit vector of the direction in which the camera sees a pixel.
   ScenePoint GetDirection(double x, double y) const;
 
-  /// The lamp under a pixel, or the number of lamps; `reach` in pixels around its middle.
+  /// The lamp under a pixel, or the number of lamps if there is none. `reach` is the radius around
+  /// its middle in pixels.
   std::size_t FindLamp(double x, double y, double reach) const;
 
-  /// The pixel of the ground under a lamp.
+  /// The pixel of the ground below a lamp.
   ScenePoint GetFoot(const ViewerLamp& lamp) const;
 
-  /// Degrees clockwise from grid north, in which the camera looks.
+  /// The direction of view, in degrees clockwise from grid north.
   double GetHeading() const;
 
-  /// Metres across that a pixel shows of the ground in the middle of the picture, or, beside the
-  /// ground, at the camera's focus.
+  /// The width in metres that a pixel covers, on the ground in the middle of the picture or, if
+  /// there is none, at the focus of the camera.
   double GetMetresAPixel() const;
 
 private:
@@ -89,7 +92,7 @@ private:
 
   vtkSmartPointer<vtkImageData> Heights;
   vtkSmartPointer<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkSkylineSoftShadowPolyDataMapper> Mapper; ///< its shader serves all
+  vtkSmartPointer<vtkSkylineSoftShadowPolyDataMapper> Mapper; ///< its shader serves all parts
   Mesh FineMesh, CoarseMesh;
   std::vector<vtkSmartPointer<vtkActor>> Balls;
   std::vector<ViewerLamp> Lamps;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every n-th post of a terrain.
+// Selects every n-th post of a terrain.
 #ifndef skyline_ThinTerrain_h
 #define skyline_ThinTerrain_h
 
@@ -13,8 +13,8 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// The point array Elevation at every n-th post of columns and rows, n the least for which about
-/// `posts` remain. Without the georeference: rows count as evenly spaced.
+/// The point array Elevation at every n-th column and row; n is the least number for which about
+/// `posts` posts remain. The result has no georeference: its rows count as evenly spaced.
 vtkSmartPointer<vtkImageData> ThinTerrain(vtkImageData* terrain, double posts);
 
 } // namespace skyline

@@ -8,7 +8,8 @@
 namespace
 {
 
-// The common logarithm of lux as a polynomial of the elevation in right angles, down to Lowest degrees.
+// The decimal logarithm of lux as a polynomial of the elevation in right angles, down to Lowest
+// degrees.
 struct Stretch
 {
   double Lowest;
@@ -22,8 +23,9 @@ constexpr std::array<Stretch, 4> Stretches{ {
   { -18.0, { { 13.84, 262.72, 1447.42, 2797.93 } } },
 } };
 
-// The colour of twilight against that of day, and the elevation, degrees, of a sun that has left it
-// alone: what ozone lets through on the long way. A choice for the eye.
+// The colour of twilight relative to that of day, and the elevation in degrees of a sun below which
+// only twilight is left: the light that ozone lets through on the long way. The values were chosen
+// by eye.
 constexpr skyline::Rgb TwilightColor{ { 0.75f, 1.0f, 1.6f } };
 constexpr double BlueHour = -6.0;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The viewer's terrain, and what events do; ViewerFrame.cxx draws.
+// The terrain of the viewer, and what events do. ViewerFrame.cxx draws.
 #include "Viewer.h"
 
 #include "Color/ColorMaps.h"
@@ -20,11 +20,11 @@
 namespace
 {
 
-/// Terrain with more posts is lit at every n-th while something moves.
+/// Terrain with more posts is lit only at every n-th post while something moves.
 constexpr double QuickPosts = 40000.0;
 
-/// A lamp that the mouse places: its radius in widths of the terrain, its height over the ground in
-/// radii, its radiance where the exposure is 0 stops, and its colour, a warm one.
+/// A lamp that the user adds with the mouse: its radius in widths of the terrain, its height above
+/// the ground in radii, its radiance at an exposure of 0 stops, and its (warm) colour.
 constexpr double LampRadius = 1.0 / 250.0;
 constexpr double LampHeight = 3.0;
 constexpr double LampRadiance = 60.0;
@@ -75,9 +75,9 @@ Viewer::~Viewer()
 void Viewer::Open(const TerrainOptions& terrain)
 {
   const auto image = ReadTerrain(terrain, this->Told);
-  auto scene = std::make_unique<TerrainScene>(image); // throws where there is nothing to see
+  auto scene = std::make_unique<TerrainScene>(image); // throws if there is nothing to see
   this->Lights.SetTerrain(image);
-  // From here on nothing fails.
+  // Nothing can fail from here on.
   if (this->Scene)
   {
     this->Window->RemoveRenderer(this->Scene->GetRenderer());
@@ -93,7 +93,7 @@ void Viewer::Open(const TerrainOptions& terrain)
     {
       this->Poll();
     }
-    // A picture that is kept is worth the wait.
+    // For a picture that is written to a file, the user waits.
     return this->Shot == ViewerWish::Nothing && this->Events != this->SeenEvents;
   };
   this->Small.reset();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The viewer itself, in any render window: events go in, pictures come out.
+// The viewer, in any render window: it receives events and draws pictures.
 #ifndef skyline_Viewer_h
 #define skyline_Viewer_h
 
@@ -29,25 +29,26 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// What `skyline view` was asked for.
+/// The options of `skyline view`.
 struct ViewerOptions
 {
   TerrainOptions Terrain;
   HorizonOptions Horizon;
   LightDescription Lights;
   std::string Colors;
-  std::optional<double> Exposure; ///< stops; none: automatic
+  std::optional<double> Exposure; ///< stops; empty: automatic
   double Exaggeration = 1.0;
   double FromAzimuth = 180.0, FromElevation = 35.0; ///< degrees
   std::string ShotFolder = ".";
 };
 
-/// Coordinates of events are pixels of the framebuffer, origin lower left.
+/// The viewer. Coordinates of events are pixels of the framebuffer, with the origin at the lower
+/// left.
 class Viewer
 {
 public:
-  /// Reads the terrain and the lights. Throws Failure. The window has its size and a current OpenGL
-  /// context as soon as it draws.
+  /// Reads the terrain and the lights. Throws Failure. The window must have its size and a current
+  /// OpenGL context when the viewer draws.
   Viewer(vtkRenderWindow* window, const ViewerOptions& options, const Talk& talk);
   ~Viewer();
   Viewer(const Viewer&) = delete;
@@ -64,18 +65,18 @@ public:
   void Drop(const std::vector<std::string>& files);
   ///@}
 
-  /// Takes in waiting events, so that long work can be left; may be empty.
+  /// Processes waiting events, so that long work can be stopped; may be empty.
   std::function<void()> Poll;
 
-  /// Computes and draws what is due at a moment (seconds of any clock that does not jump). True if
-  /// the window has a new picture.
+  /// Computes and draws what is due at the time `now` (seconds of any monotonic clock). Returns
+  /// true if the window has a new picture.
   bool Draw(double now);
 
-  /// Seconds until Draw has something to do without an event; below 0: never.
+  /// Seconds until Draw has work without a further event; negative: never.
   double GetPatience(double now) const;
 
   bool WantsToLeave() const { return this->Leaving; }
-  bool IsExact() const { return this->Exact; } ///< the picture is as good as it gets
+  bool IsExact() const { return this->Exact; } ///< the picture will not become better
   const ViewerState& GetState() const { return this->State; }
   ViewerState& GetState() { return this->State; }
   TerrainScene& GetScene() { return *this->Scene; }
@@ -83,7 +84,7 @@ public:
   const HudContent& GetHud() const { return this->Shown; }
   const std::string& GetMessage() const { return this->Message; }
   const PassTimes& GetTimes() const { return this->Times; } ///< of the last picture
-  std::string GetTitle() const;                             ///< for the window
+  std::string GetTitle() const;                             ///< of the window
 
 private:
   void Open(const TerrainOptions& terrain);
@@ -107,7 +108,7 @@ private:
   std::unique_ptr<TerrainScene> Scene;
   std::unique_ptr<LitTerrain> Full;
   std::unique_ptr<LitTerrain> Small; ///< null: Full is small enough
-  std::string Lit;                   ///< ViewerLights::Key of the light shown
+  std::string Lit;                   ///< ViewerLights::Key of the light that is shown
   std::string SkyShown;              ///< SkyImageKey
   double LitExaggeration = 1.0;
   bool Exact = false;
@@ -118,14 +119,14 @@ private:
   HudContent Shown;
   bool Away = false;
   bool Leaving = false;
-  ViewerWish Shot = ViewerWish::Nothing; ///< due with the next picture
-  bool Drawn = false;                    ///< this terrain, once
-  bool Stale = true;                     ///< the picture is not that of the state
+  ViewerWish Shot = ViewerWish::Nothing; ///< to be written with the next picture
+  bool Drawn = false;                    ///< this terrain was drawn once
+  bool Stale = true;                     ///< the picture does not show the present state
   bool FirstView = true;
-  unsigned long Events = 0; ///< so far
+  unsigned long Events = 0; ///< number of events so far
   unsigned long SeenEvents = 0;
   double LastEvent = 0.0, LastDraw = 0.0;
-  double FineSeconds = 1.0e9; ///< that the last fine picture took to draw
+  double FineSeconds = 1.0e9; ///< drawing time of the last fine picture
   std::string Message;
 
   ViewerMouse Mouse;

@@ -21,16 +21,18 @@
 namespace
 {
 
-/// Seconds without an event after which the light is made exact.
+/// Seconds without an event after which the light is computed exactly.
 constexpr double RestSeconds = 0.2;
 
-/// A fine picture that takes longer to draw is replaced by a coarse one while something moves.
+/// If a fine picture takes more seconds than this to draw, a coarse one is drawn while something
+/// moves.
 constexpr double FluidSeconds = 0.04;
 
-/// The longest step of the animation: a slow machine shows fewer pictures, not wilder ones.
+/// The longest step of the animation in seconds. A slow machine shows fewer pictures, not larger
+/// steps.
 constexpr double LongestStep = 0.25;
 
-/// A sun so far below the horizon, degrees, has no part of its disc above it.
+/// At this elevation in degrees or below, no part of the sun's disc is above the horizon.
 constexpr double LowestSun = -1.0;
 
 using Clock = std::chrono::steady_clock;
@@ -123,7 +125,7 @@ bool Viewer::Draw(double now)
     this->Exact = this->Compute(*this->Full, true);
     if (!this->Exact)
     {
-      return false; // stopped by an event, which goes first
+      return false; // stopped by an event, which is handled first
     }
   }
   const bool coarse = !resting && this->FineSeconds > FluidSeconds;
@@ -162,7 +164,7 @@ void Viewer::Paint(bool coarse)
   const bool fine = !coarse || shot;
   const auto start = Clock::now();
   this->Scene->SetCoarse(!fine);
-  this->Scene->GetRenderer()->SetUseFXAA(fine); // smooth rims, where there is time for them
+  this->Scene->GetRenderer()->SetUseFXAA(fine); // smooth edges, if there is time
   this->Scene->SetLamps(this->State.Lamps);
   this->Scene->SetExposure(this->State.Stops());
   this->Scene->Prepare();
@@ -198,7 +200,7 @@ void Viewer::Paint(bool coarse)
 
   if (fine && this->Drawn)
   {
-    this->FineSeconds = terrain; // the first picture builds buffers and shaders
+    this->FineSeconds = terrain; // the first picture also builds buffers and shaders
   }
   this->Drawn = true;
   this->Times = this->LightTimes;
@@ -222,7 +224,7 @@ void Viewer::Shoot()
     const std::string file = FreeName(this->Options.ShotFolder, linear ? ".exr" : ".png");
     if (linear)
     {
-      this->Scene->SetLamps({}); // light on the ground, not the balls' screen colours
+      this->Scene->SetLamps({}); // light on the ground without the drawn balls
       WriteExr(this->Window, this->Scene->GetRenderer(), this->Scene->GetShader(),
         this->Scene->GetSky(), file);
       this->Scene->SetLamps(this->State.Lamps);

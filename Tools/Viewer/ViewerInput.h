@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a window tells the viewer, whatever library made the window.
+// The events that a window sends to the viewer, independent of the window library.
 #ifndef skyline_ViewerInput_h
 #define skyline_ViewerInput_h
 

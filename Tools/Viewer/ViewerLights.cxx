@@ -17,7 +17,7 @@
 namespace
 {
 
-/// Where the calendar starts if nobody says: longest day, in the afternoon.
+/// The day on which the calendar starts by default: the longest day; the time is in the afternoon.
 constexpr int JuneSolstice = 172;
 constexpr int DecemberSolstice = 355;
 constexpr double Afternoon = 16.0 * 60.0;
@@ -65,7 +65,7 @@ void ViewerLights::SetClock(ViewerState& state) const
   }
   else
   {
-    state.ByTime = false; // no place, no time: the sun stays where it stood last
+    state.ByTime = false; // without a place there is no time: the sun stays where it was
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From what the user asked for and has set to the light on the terrain.
+// Computes the light on the terrain from the options and the state of the viewer.
 #ifndef skyline_ViewerLights_h
 #define skyline_ViewerLights_h
 
@@ -22,30 +22,30 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// The lights of the command line, and the skies met since. Light maps are read once.
+/// The lights of the command line, and the skies that were used since. Light maps are read once.
 class ViewerLights
 {
 public:
   ViewerLights(const LightDescription& asked, const Talk& talk);
 
-  /// The place of the lights; first of all. Throws what CenterOf throws.
+  /// Sets the place of the lights. To be called first. Throws the exceptions of CenterOf.
   void SetTerrain(vtkImageData* terrain);
 
-  /// The calendar of that place; without one on the Earth the sun stays where it is.
+  /// Sets the calendar for that place. Without a place on the Earth the sun does not move.
   void SetClock(ViewerState& state) const;
 
-  /// Sun, skies and lamps of the command line. Throws Failure.
+  /// Sets sun, skies and lamps of the command line. Throws Failure.
   void Take(ViewerState& state);
 
-  /// The light of a sky that is not the same all around; null for the others. Throws Failure for a
-  /// map that cannot be read.
+  /// The environment light of a sky that is not the same all around; null for other skies. Throws
+  /// Failure if a light map cannot be read.
   vtkSmartPointer<vtkSkylineEnvironmentLight> Find(const SkyDescription& sky);
   void Forget(const std::string& name);
 
-  /// The light as the state has it. Throws what FindSun and Find throw.
+  /// The light for a state. Throws the exceptions of FindSun and Find.
   TerrainLight Make(const ViewerState& state);
 
-  /// A text that differs where the light does, but for the exaggeration.
+  /// A text that differs whenever the light differs, apart from the exaggeration.
   static std::string Key(const ViewerState& state);
 
 private:

@@ -15,10 +15,10 @@
 namespace
 {
 
-/// Pixels at scale 1 within which a lamp is taken.
+/// Distance in pixels, at scale 1, within which a lamp is picked.
 constexpr double LampReach = 12.0;
 
-/// A turn of the wheel brings the camera nearer by this factor.
+/// Factor by which one step of the wheel brings the camera nearer.
 constexpr double WheelFactor = 1.15;
 
 constexpr unsigned long Presses[3] = { vtkCommand::LeftButtonPressEvent,
@@ -65,7 +65,7 @@ void ViewerMouse::TellCamera(unsigned long event)
   this->Interactor->InvokeEvent(event);
 }
 
-// Nobody looks for the terrain's underside: the camera stops level with what it looks at.
+// Keeps the camera from looking at the terrain from below: it stops level with its focus.
 void ViewerMouse::StayAbove() const
 {
   vtkCamera* camera = this->Scene->GetRenderer()->GetActiveCamera();
@@ -145,7 +145,7 @@ void ViewerMouse::Press(
 {
   if (this->Dragging != Drag::None)
   {
-    return; // one thing at a time
+    return; // only one drag at a time
   }
   this->Button = button;
   this->With = with;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the mouse drags: camera, sliders, sun, lamps.
+// Dragging with the mouse: camera, sliders, sun and lamps.
 #ifndef skyline_ViewerMouse_h
 #define skyline_ViewerMouse_h
 
@@ -18,26 +18,26 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// Pixels of the framebuffer, origin lower left. One thing is dragged at a time, by the button that
-/// took it.
+/// Coordinates are pixels of the framebuffer, with the origin at the lower left. Only one object is
+/// dragged at a time, with the button that started the drag.
 class ViewerMouse
 {
 public:
   ~ViewerMouse();
 
-  /// The scene to work on, which must live until the next one comes.
+  /// Sets the scene to work on, which must live until the next one is set.
   void SetScene(TerrainScene* scene, vtkRenderWindow* window);
 
   void Resize(int width, int height);
 
-  /// The mouse is at a place; true if that changed the state or the camera.
+  /// The mouse has moved. Returns true if that changed the state or the camera.
   bool Move(double x, double y, ViewerState& state, const HudLayout& layout);
 
   void Press(
     MouseButton button, const Modifiers& with, ViewerState& state, const HudLayout& layout);
   void Release(MouseButton button);
 
-  /// Nearer, or back.
+  /// Moves the camera nearer or further away.
   void Wheel(double steps);
 
   double GetX() const { return this->X; }
@@ -66,7 +66,7 @@ private:
   MouseButton Button = MouseButton::Left;
   Modifiers With;
   std::size_t Slider = 0;
-  double StartX = 0.0, StartY = 0.0; ///< where the drag began; of a lamp: its foot beside the mouse
+  double StartX = 0.0, StartY = 0.0; ///< drag start; of a lamp: its foot relative to the mouse
   ViewerState Start;
 };
 

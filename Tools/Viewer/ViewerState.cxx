@@ -21,7 +21,7 @@ constexpr double StopsAStep = 1.0 / 3.0;
 constexpr double GreatestStops = 12.0;
 constexpr double LowestSun = -20.0;    // degrees: night
 constexpr double HighestSun = 90.0;    // degrees
-constexpr double SecondsOfADay = 30.0; // animated
+constexpr double SecondsOfADay = 30.0; // for a day of the animation
 constexpr double SunnyHalf = 0.5 * (HighestSun - LowestSun);
 
 } // namespace
@@ -128,7 +128,7 @@ ViewerWish ViewerState::Press(int key, const Modifiers& with)
           LeastExaggeration, GreatestExaggeration);
       if (std::abs(this->Exaggeration - 1.0) < 1.0e-9)
       {
-        this->Exaggeration = 1.0; // back from the way, without its rounding
+        this->Exaggeration = 1.0; // removes the rounding when it returns
       }
       return ViewerWish::Changed;
     case '-':

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the user of the viewer has set: numbers alone, no window, no VTK.
+// What the user of the viewer has set: only numbers, no window, no VTK.
 #ifndef skyline_ViewerState_h
 #define skyline_ViewerState_h
 
@@ -15,11 +15,11 @@
 namespace skyline
 {
 
-/// A lamp over the ground.
+/// A lamp above the ground.
 struct ViewerLamp
 {
-  double X = 0.0, Y = 0.0; ///< of the height field's image
-  double Height = 0.0;     ///< metres over the ground, exaggerated
+  double X = 0.0, Y = 0.0; ///< in the coordinates of the image of the height field
+  double Height = 0.0;     ///< metres above the ground, exaggerated
   double Radius = 1.0;     ///< metres
   std::array<double, 3> Radiance{ { 1, 1, 1 } };
 
@@ -30,15 +30,15 @@ struct ViewerLamp
   }
 };
 
-/// What a key asks for that is not a number.
+/// What a key requests that is not a number.
 enum class ViewerWish
 {
-  Nothing, ///< the key means nothing
-  Changed, ///< the state below has changed, or had its limit
-  Lamp,    ///< a lamp under the mouse
-  Png,     ///< a screenshot
-  Exr,     ///< a screenshot in linear light
-  Camera,  ///< the view as at the start
+  Nothing, ///< the key has no meaning
+  Changed, ///< the state below has changed, or was at its limit
+  Lamp,    ///< add a lamp under the mouse
+  Png,     ///< write a screenshot
+  Exr,     ///< write a screenshot in linear light
+  Camera,  ///< return to the view at the start
   Leave
 };
 
@@ -49,14 +49,14 @@ struct ViewerSlider
   std::string Label;
 };
 
-/// The state and what keys, sliders and drags do to it.
+/// The state, and how keys, sliders and drags change it.
 struct ViewerState
 {
   static constexpr double LeastExaggeration = 0.1;
   static constexpr double GreatestExaggeration = 20.0;
   static constexpr std::size_t Sliders = 2;
 
-  bool ByTime = false; ///< the sun follows Clock; else Azimuth, Elevation
+  bool ByTime = false; ///< the sun follows Clock; otherwise Azimuth and Elevation
   SunClock Clock;
   double Azimuth = 315.0;  ///< degrees from grid north
   double Elevation = 45.0; ///< degrees
@@ -68,13 +68,13 @@ struct ViewerState
   double Rotation = 0.0; ///< degrees
 
   std::vector<ViewerLamp> Lamps;
-  std::size_t Chosen = 0; ///< lamp; Lamps.size() or more: none
+  std::size_t Chosen = 0; ///< index of a lamp; Lamps.size() or more: none
 
   double Exaggeration = 1.0;
   bool AutoExposure = true;
-  double MeteredStops = 0.0; ///< the automatic exposure of what is shown
-  double FixedStops = 0.0;   ///< the other one
-  double Exposure = 0.0;     ///< stops beside either
+  double MeteredStops = 0.0; ///< the automatic exposure of the present picture
+  double FixedStops = 0.0;   ///< the fixed exposure
+  double Exposure = 0.0;     ///< stops that are added to either
   std::size_t Colors = 0;
   std::size_t ColorCount = 1;
 
@@ -86,13 +86,13 @@ struct ViewerState
   ViewerSlider GetSlider(std::size_t which) const;
   void SetSlider(std::size_t which, double value);
 
-  /// The sun dragged by parts of the window's width and height: a day across, a year upwards.
+  /// Moves the sun by parts of the width and height of the window: a day across, a year upwards.
   void DragSun(double across, double up);
 
-  /// Seconds of the animation, a day in half a minute.
+  /// Advances the animation by seconds; a day takes half a minute.
   void Advance(double seconds);
 
-  /// Adds a sky, once, and makes it the present one.
+  /// Adds a sky unless it is already there, and makes it the present one.
   void TakeSky(const SkyDescription& sky);
 
   const SkyDescription& GetSky() const { return this->Skies[this->Sky]; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The state in words, for the heads-up display.
+// The state as text, for the heads-up display.
 #ifndef skyline_ViewerStatus_h
 #define skyline_ViewerStatus_h
 
@@ -12,14 +12,14 @@
 namespace skyline
 {
 
-/// The file's name without its folders.
+/// The name of the file without its folders.
 std::string NameOf(const std::string& file);
 
-/// Sun, time, sky, exposure, and lamps and heights where there is something to say.
+/// Sun, time, sky and exposure; also lamps and exaggeration if there are any.
 std::string StatusText(
   const std::string& terrain, const ViewerState& state, const SunLight& sun, bool exact);
 
-/// A line a pass, and their sum.
+/// One line per pass, and their sum.
 std::string TimesText(const PassTimes& times);
 
 } // namespace skyline
