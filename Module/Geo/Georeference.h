@@ -67,17 +67,19 @@ struct SKYLINECORE_EXPORT Georeference
   int LatticeColumns = 0, LatticeRows = 0;
   std::vector<double> Longitude, Latitude;
 
-  /// True metres between columns and between rows, one pair a row from the south, where rows follow
-  /// parallels and columns meridians; empty: the same everywhere (the image's spacing) or, if that does
-  /// not hold, what the lattice says (GroundMetric.h). ComputeRowSpacing (RowSpacing.h) fills them.
+  /// True metres between columns and between rows, one pair per row from the south, if rows follow
+  /// parallels and columns follow meridians. Empty if all rows have the spacing of the image or,
+  /// where that does not hold, the lattice gives the lengths (GroundMetric.h). ComputeRowSpacing
+  /// (RowSpacing.h) fills both lists.
   std::vector<double> RowSpacingX, RowSpacingY;
 
   bool OnBody() const { return this->EquatorialRadius > 0.0 && !this->Longitude.empty(); }
 
-  /// Longitude and latitude (degrees) of a post. The longitude continues the lattice's, so it may
-  /// lie beyond 180. Error: see DefaultLatticeNodes. Throws std::invalid_argument, as all functions
-  /// below do, when there is no body, the lattice does not have the size it says, or the post lies
-  /// outside the map's domain (NaN or infinities in the lattice).
+  /// Longitude and latitude (degrees) of a post. The longitude continues those of the lattice, so
+  /// that it may lie beyond 180 degrees. For the error see DefaultLatticeNodes. This and all
+  /// functions below throw std::invalid_argument if there is no body, if the size of the lattice is
+  /// inconsistent, or if the post lies outside the domain of the map (NaN or infinities in the
+  /// lattice).
   void LonLatAt(double column, double row, double& longitude, double& latitude) const;
 
   /// Meridian convergence (degrees): true azimuth = grid azimuth + convergence. It is the true
