@@ -27,8 +27,7 @@ public:
   PaddedPlane(std::ptrdiff_t lines, std::ptrdiff_t lanes)
     : Lines(lines)
     , Lanes(lanes)
-    , Stride(((lanes + 2 * Margin + 15) / 16 | 1) * 16) // odd, so that lines are spread over the
-                                                        // sets of the cache
+    , Stride(((lanes + 2 * Margin + 15) / 16 | 1) * 16) // odd: uses all sets of the cache
     , Values(static_cast<std::size_t>((lines + 2) * Stride), MissingHeight)
   {
   }

@@ -44,7 +44,7 @@ std::vector<PyramidSize> PyramidSizes(std::ptrdiff_t columns, std::ptrdiff_t row
   if (!(step >= LeastStep && step <= GreatestStep))
   {
     throw std::invalid_argument(
-      "the pyramid has " + std::to_string(step) + " levels an octave; give 1 to 16");
+      "the pyramid has " + std::to_string(step) + " levels per octave; give 1 to 16");
   }
   const int levels = PyramidLevels(std::max(columns, rows), step);
   std::vector<PyramidSize> sizes(static_cast<std::size_t>(levels));
