@@ -26,7 +26,7 @@ std::unique_ptr<HorizonMethod> MakeHorizonMethod(const HeightField& field,
       if (settings.Shape != Surface::Triangles)
       {
         throw std::invalid_argument(
-          "the sweep uses bilinear samples of the posts and takes no other surface; use exact or fast");
+          "the sweep uses bilinear samples and takes no other surface; use exact or fast");
       }
       return std::make_unique<HorizonSweep>(field, chosen);
     case HorizonMethodKind::Pyramid:
