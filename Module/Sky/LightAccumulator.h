@@ -38,8 +38,8 @@ public:
   /// one is a neighbour of the first. They must be added in this order, for Linear with the first
   /// one again at the end (FedAzimuths). The widths passed to Begin are ignored.
   /// east, north: dz/dx and dz/dy of every post, row by row from the south (Normals.h), or null for
-  /// level receivers. irradiance: three floats per post. All of these, and the pixels of the maps, must
-  /// outlive the accumulator.
+  /// level receivers. irradiance: three floats per post. All of these, and the pixels of the maps,
+  /// must outlive the accumulator.
   LightAccumulator(std::ptrdiff_t columns, std::ptrdiff_t rows,
     const std::vector<TurnedLightMap>& maps, const std::vector<double>& azimuths,
     const Options& options, const float* east, const float* north, float* irradiance);

@@ -29,8 +29,8 @@ double ZonalSky::Radiance(int cieType, double sine)
 {
   if (!Knows(cieType))
   {
-    throw std::invalid_argument(
-      "CIE sky " + std::to_string(cieType) + " depends on the azimuth; give 1, 3, 5 or 16");
+    throw std::invalid_argument("CIE sky " + std::to_string(cieType) +
+      " is not the same in all azimuths; give 1, 3, 5 or 16");
   }
   const SkyModel sky = CieSky(cieType);
   return sky.Radiance(sine, 0.0) / sky.Radiance(1.0, 0.0);

@@ -34,7 +34,7 @@ public:
   /// radian of azimuth, divided by the irradiance of open level ground. `rise`: rise of the plane
   /// per metre in this azimuth; `sine`: sin t, 0 to 1, not below the plane. The z component of the
   /// normal is left out. The result is
-  ///  Int_t^90 L(e) (sin e - rise cos e) cos e de / Int Int_0^90 L sin e cos e de da,
+  ///   Int_t^90 L(e) (sin e - rise cos e) cos e de / Int Int_0^90 L sin e cos e de da,
   /// linearly interpolated between Nodes sines, with an error below 1e-5 for rises up to 1.
   float Light(float sine, float rise) const
   {
