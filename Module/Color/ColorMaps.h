@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours for heights, as short lists of control colours. Pure functions, no VTK.
+// Colour maps for heights, as short lists of control colours. Pure functions, without VTK.
 //
-// Every list grows lighter from its first to its last colour (a test holds it to that), so the
-// order of heights survives any colour vision and a black-and-white print.
+// The colours of each list grow lighter from the first to the last (a test checks this), so that
+// the order of heights remains visible with any colour vision and in a black-and-white print.
 #ifndef skyline_ColorMaps_h
 #define skyline_ColorMaps_h
 
@@ -17,22 +17,22 @@
 namespace skyline
 {
 
-/// A colour map: evenly spaced control colours, sRGB codes 0xRRGGBB, low heights first.
+/// A colour map: evenly spaced control colours as sRGB codes 0xRRGGBB, from low to high heights.
 struct ColorMap
 {
   std::string_view Name;
   std::string_view Description;
-  std::array<unsigned int, 11> Colors; ///< the first Count of them
+  std::array<unsigned int, 11> Colors; ///< the first `Count` elements are used
   std::size_t Count;
   std::size_t
-    SeaCount; ///< the first so many are below height 0 and only there; 0: heights have no sea
+    SeaCount; ///< number of colours for heights below 0, used only there; 0: no sea colours
 };
 
-/// The named maps; the first is the default.
+/// All colour maps; the first is the default.
 inline const std::array<ColorMap, 5>& ColorMaps()
 {
   // hypsometric and ocean are our own. viridis (CC0, van der Walt and Smith 2015) and cividis
-  // (Nunez, Anderton and Renslow 2018) are known by these ten colours.
+  // (Nunez, Anderton and Renslow 2018) are sampled at ten colours.
   static const std::array<ColorMap, 5> maps{ {
     { "hypsometric", "muted valley green over ochre to white",
       { { 0x3d5447, 0x536b52, 0x6f7f5e, 0x90916d, 0xab9f77, 0xb9a67f, 0xc2ad8e, 0xccbaa3, 0xd9cdbd,
@@ -55,7 +55,7 @@ inline const std::array<ColorMap, 5>& ColorMaps()
   return maps;
 }
 
-/// The map of that name, nullptr if there is none.
+/// The colour map with the given name, or nullptr if there is none.
 inline const ColorMap* FindColorMap(std::string_view name)
 {
   for (const ColorMap& map : ColorMaps())
@@ -68,9 +68,10 @@ inline const ColorMap* FindColorMap(std::string_view name)
   return nullptr;
 }
 
-/// Where a height lies in a map's list, 0 to 1. The list spans heights low to high; with a sea its
-/// middle is height 0, with one scale on both sides so that a shallow sea is not drawn deep, and no
-/// height below 0 comes to the middle.
+/// The position of a height in the list of a map, 0 to 1. The list spans the heights from `low` to
+/// `high`. In a map with sea colours, height 0 is the middle of the list, and both halves have the
+/// same scale, so that a shallow sea is not drawn in deep colours; no height below 0 reaches the
+/// middle.
 inline double PlaceOnMap(const ColorMap& map, double height, double low, double high)
 {
   double first = low;
@@ -85,9 +86,10 @@ inline double PlaceOnMap(const ColorMap& map, double height, double low, double 
   return map.SeaCount > 0 && height < 0.0 ? std::min(place, std::nextafter(0.5, 0.0)) : place;
 }
 
-/// The colour at place t of the list (0 to 1, clamped), linear light: the albedo of the ground.
-/// Between control colours, linear in the sRGB codes, as the lists were meant to be read. With a sea,
-/// its colours fill the places below 0.5 and the others the rest: at the coast the colour jumps.
+/// The colour at position t of the list (clamped to 0 to 1) as linear light: the albedo of the
+/// ground. Colours between the control colours are interpolated linearly in their sRGB codes. In a
+/// map with sea colours, these fill the positions below 0.5 and the others the rest, so that the
+/// colour changes abruptly at the coast.
 inline Rgb ColorAt(const ColorMap& map, double t)
 {
   double place = std::clamp(t, 0.0, 1.0);

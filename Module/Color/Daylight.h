@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours of sun and sky for a picture. Pure functions, no VTK.
+// Colours of the sun and the sky for a picture. Pure functions, without VTK.
 #ifndef skyline_Daylight_h
 #define skyline_Daylight_h
 
@@ -16,20 +16,21 @@ namespace skyline
 /// The lights of an outdoor picture.
 struct Daylight
 {
-  Rgb SunIrradiance; ///< on a surface that faces the sun
-  Rgb SkyRadiance;   ///< of every part of a uniform sky
+  Rgb SunIrradiance; ///< of the sun, on a surface that faces it
+  Rgb SkyRadiance;   ///< of a uniform sky
 };
 
-/// Sun and sky for an apparent sun elevation in degrees. The sun's colour is that of white light
-/// after Rayleigh's air and a light haze (optical depths 0.0088 l^-4.08 and 0.05 l^-1.3 at
-/// wavelengths l of 0.61, 0.55 and 0.465 micrometres). The sky is pale blue; its strength is set
-/// for legible shadows (a fifth of the light on level ground at 45 degrees), not measured. White
-/// balance and scale are those of a camera set for level open ground, which gets irradiance pi in
-/// luminance and keeps a quarter of the cast. Without air the sun is white and the sky grey.
+/// Light of the sun and the sky for an apparent elevation of the sun in degrees. The colour of the
+/// sun is white light that has passed through air (Rayleigh scattering) and a light haze: optical
+/// depths 0.0088 l^-4.08 and 0.05 l^-1.3 at the wavelengths l of 0.61, 0.55 and 0.465 micrometres.
+/// The sky is pale blue. Its strength is not measured but chosen for legible shadows: a fifth of
+/// the light on level ground at 45 degrees. Scale and white balance are those of a camera set for
+/// level open ground: its irradiance has the luminance pi, and a quarter of the colour cast
+/// remains. Without air the sun is white and the sky is grey.
 inline Daylight ClearDaylight(double elevation, bool air = true)
 {
   const double height = std::sin(std::clamp(elevation, 0.0, 90.0) * RadiansPerDegree);
-  const bool up = elevation > -0.9; // below that not even the upper limb rises over level ground
+  const bool up = elevation > -0.9; // below this, not even the upper limb rises above level ground
   const std::array<double, 3> wavelength{ { 0.61, 0.55, 0.465 } };
   const Rgb blue{ { 0.82f, 1.0f, 1.30f } };
   Daylight light{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From linear light to the numbers of a picture. Pure functions, no VTK.
+// From linear light to the values of a picture. Pure functions, without VTK.
 #ifndef skyline_ToneMap_h
 #define skyline_ToneMap_h
 
@@ -12,15 +12,15 @@ namespace skyline
 
 using Rgb = std::array<float, 3>; ///< linear light, Rec. 709 primaries
 
-/// Linear level that no tone-mapped channel exceeds: 251 of 255 after encoding.
+/// Linear level that no tone-mapped channel exceeds: code 251 of 255 after encoding.
 constexpr float ToneWhite = 0.96f;
 
-/// Middle grey, which the tone curve leaves as it is, and the power by which luminances spread
-/// around it: the contrast of a print.
+/// Middle grey, which the tone curve does not change, and the exponent that spreads the luminances
+/// around it, which sets the contrast.
 constexpr float ToneGrey = 0.18f;
 constexpr float ToneContrast = 1.3f;
 
-/// Above this level of its result, the tone curve bends to a shoulder.
+/// Results of the tone curve above this level lie on its shoulder.
 constexpr float ToneKnee = 0.5f;
 
 /// Luminance of linear light, Rec. ITU-R BT.709-6, item 3.2.
@@ -29,9 +29,10 @@ inline float Luminance(const Rgb& c)
   return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2];
 }
 
-/// The tone curve: a luminance (0 and up) to a luminance in [0, ToneWhite). A power law through
-/// ToneGrey up to ToneKnee, then a hyperbola that goes on with the same slope and tends to
-/// ToneWhite. Never falls; NaN and negative light give 0, infinite light ToneWhite.
+/// The tone curve: maps a luminance (0 or more) to a luminance in [0, ToneWhite). It is a power law
+/// through ToneGrey up to ToneKnee, then a hyperbola that continues with the same slope and tends
+/// to ToneWhite. The curve never falls. NaN and negative light give 0, infinite light gives
+/// ToneWhite.
 inline float ToneCurve(float luminance)
 {
   if (!(luminance > 0.0f))
@@ -47,14 +48,16 @@ inline float ToneCurve(float luminance)
   return ToneWhite - room / (1.0f + (spread - ToneKnee) / room);
 }
 
-/// Tone-maps a colour: its luminance by ToneCurve, its hue kept. A channel that would pass
-/// ToneWhite draws the colour towards grey of the same luminance, as bright colours do to the eye.
+/// Tone-maps a colour: applies ToneCurve to its luminance and keeps its hue. If a channel would
+/// exceed ToneWhite, the colour is mixed with grey of the same luminance, as bright colours appear
+/// paler to the eye.
 inline Rgb ToneMap(const Rgb& light)
 {
   Rgb c = light;
   for (float& channel : c)
   {
-    // Infinite light would make inf / inf below; 1e25 is as white, and its power finite.
+    // Infinite light would give inf / inf below. 1e25 is mapped to the same white, and its power is
+    // finite.
     channel = channel > 0.0f ? std::min(channel, 1.0e25f) : 0.0f;
   }
   const float before = Luminance(c);
@@ -80,7 +83,8 @@ inline Rgb ToneMap(const Rgb& light)
   return c;
 }
 
-/// Linear light in [0, 1] to the sRGB code in [0, 1], IEC 61966-2-1; values outside are clamped.
+/// Encodes linear light in [0, 1] as an sRGB code in [0, 1], IEC 61966-2-1. Values outside are
+/// clamped.
 inline float EncodeSrgb(float linear)
 {
   if (!(linear > 0.0f))
@@ -94,7 +98,7 @@ inline float EncodeSrgb(float linear)
   return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
 }
 
-/// The inverse of EncodeSrgb.
+/// Decodes an sRGB code in [0, 1] to linear light: the inverse of EncodeSrgb.
 inline float DecodeSrgb(float code)
 {
   if (!(code > 0.0f))
@@ -108,7 +112,7 @@ inline float DecodeSrgb(float code)
   return code <= 0.04045f ? code / 12.92f : std::pow((code + 0.055f) / 1.055f, 2.4f);
 }
 
-/// The sRGB code as a byte, rounded to the nearest.
+/// The sRGB code of a linear value as a byte, rounded to the nearest.
 inline unsigned char SrgbByte(float linear)
 {
   return static_cast<unsigned char>(std::lround(255.0f * EncodeSrgb(linear)));

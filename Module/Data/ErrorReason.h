@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What an error of VTK says.
+// Extracts the reason from the text of a VTK error.
 #ifndef skyline_ErrorReason_h
 #define skyline_ErrorReason_h
 
@@ -9,8 +9,9 @@
 namespace skyline
 {
 
-/// The reason in a report of vtkErrorMacro or vtkWarningMacro, which put the place in the source and the
-/// object's address before it and empty lines behind it. A text without those stays.
+/// The reason in a report of vtkErrorMacro or vtkWarningMacro, without the position in the source
+/// and the address of the object that precede it and the empty lines that follow it. A text without
+/// these is returned unchanged.
 inline std::string ErrorReason(const std::string& report)
 {
   constexpr const char* blank = " \t\r\n";

@@ -32,7 +32,7 @@ void AddNumbers(
   fields->AddArray(array);
 }
 
-/// One tuple for each pair of the two lists.
+/// Adds an array with one tuple for each pair of elements of the two lists.
 void AddPairs(vtkFieldData* fields, const char* name, const std::vector<double>& first,
   const std::vector<double>& second)
 {
@@ -50,7 +50,8 @@ void AddPairs(vtkFieldData* fields, const char* name, const std::vector<double>&
   AddNumbers(fields, name, 2, pairs.data(), first.size());
 }
 
-/// The array of that name if it has that many components and at least one tuple.
+/// The array with this name, or null unless it has this number of components and at least one
+/// tuple.
 vtkDataArray* FindNumbers(vtkFieldData* fields, const char* name, int components)
 {
   vtkDataArray* array = fields->GetArray(name);
@@ -59,7 +60,7 @@ vtkDataArray* FindNumbers(vtkFieldData* fields, const char* name, int components
   return fits ? array : nullptr;
 }
 
-/// The array's pairs, unless their number differs from `expected`.
+/// Reads the pairs of an array into two lists, unless their number differs from `expected`.
 void LoadPairs(vtkFieldData* fields, const char* name, std::ptrdiff_t expected,
   std::vector<double>& first, std::vector<double>& second)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The georeference of a height field as field data, so that it travels down a VTK pipeline.
+// Stores the georeference of a height field as field data, so that it passes through a VTK
+// pipeline.
 #ifndef skyline_ImageGeoreference_h
 #define skyline_ImageGeoreference_h
 
@@ -15,34 +16,38 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// Field data arrays of a georeference. An array that would say nothing is absent.
+/// Field data arrays of a georeference. An array without information is absent.
 constexpr const char* CrsArrayName = "CRS";                   ///< string: WKT
-constexpr const char* GeoTransformArrayName = "GeoTransform"; ///< 6 doubles, GDAL's order
-constexpr const char* BodyArrayName = "BodyEllipsoid";    ///< metres, flattening, 1 on the Earth
-constexpr const char* LatticeArrayName = "LonLatLattice"; ///< pairs of degrees, node by node
+constexpr const char* GeoTransformArrayName = "GeoTransform"; ///< 6 doubles in GDAL's order
+constexpr const char* BodyArrayName = "BodyEllipsoid";        ///< equatorial radius in metres,
+                                                              ///< flattening, 1 on the Earth
+constexpr const char* LatticeArrayName = "LonLatLattice"; ///< longitude and latitude in degrees of
+                                                          ///< each node
 constexpr const char* LatticeSizeArrayName = "LonLatLatticeSize"; ///< 2 ints: columns, rows
-constexpr const char* RowSpacingArrayName = "RowSpacing";         ///< pairs of metres, row by row
+constexpr const char* RowSpacingArrayName = "RowSpacing";         ///< pairs of metres, one pair per
+                                                                  ///< row
 constexpr const char* DegreesArrayName =
   "StepsInDegrees"; ///< 1 double, 1: the raster's steps are degrees
 constexpr const char* PostCountArrayName = "PostCount"; ///< 2 doubles: columns, rows
 constexpr const char* NodataArrayName = "NodataValue";  ///< 1 double: the file's nodata value
 
-/// Puts `georeference` into the field data of `data`, in place of the one that was there.
+/// Stores `georeference` in the field data of `data`, replacing an earlier one.
 SKYLINECORE_EXPORT void StoreGeoreference(const Georeference& georeference, vtkDataObject* data);
 
-/// The georeference in the field data of `data`. What is absent or malformed has its default
-/// value; without PostCount an image's own dimensions count. `data` may be null.
+/// Reads the georeference from the field data of `data`, which may be null. Absent or malformed
+/// items get their default values. Without PostCount, the dimensions of an image are used.
 SKYLINECORE_EXPORT Georeference LoadGeoreference(vtkDataObject* data);
 
-/// The same for a height field whose posts it must count: std::invalid_argument where a crop or a
-/// resampling has left the image with the place of other posts. Without a place, the image's own
-/// dimensions count.
+/// The same for a height field. Throws std::invalid_argument if the number of posts in the
+/// georeference differs from that of the image, as after cropping or resampling. Without a place on
+/// a body, the dimensions of the image are used.
 SKYLINECORE_EXPORT Georeference GeoreferenceOf(vtkImageData* image);
 
-/// Puts the nodata value that a raster declared into the field data of `data`.
+/// Stores the nodata value that a raster declares in the field data of `data`.
 SKYLINECORE_EXPORT void StoreNodataValue(double value, vtkDataObject* data);
 
-/// Reads that value into `value`; false, and `value` as it was, where none is declared.
+/// Reads the nodata value into `value`. If none is stored, returns false and leaves `value`
+/// unchanged.
 SKYLINECORE_EXPORT bool LoadNodataValue(vtkDataObject* data, double& value);
 
 } // namespace skyline

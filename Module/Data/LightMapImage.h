@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A light map as a vtkImageData.
+// A light map stored as vtkImageData.
 #ifndef skyline_LightMapImage_h
 #define skyline_LightMapImage_h
 
@@ -14,14 +14,14 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// The point scalars of a light map: three floats, linear RGB radiance.
+/// Name of the point scalars of a light map: three floats of linear RGB radiance per pixel.
 constexpr const char* RadianceArrayName = "Radiance";
 
-/// The kernels' view of an image with such scalars, row 0 of the image at the bottom (the nadir):
-/// valid while the image keeps them. The image is two-dimensional, with the scalars "Radiance" as
-/// vtkSkylineLightMapReader makes them, else std::invalid_argument with a one-line reason. The values are
-/// taken as they are: finite and not negative from the reader; others are mended first
-/// (SanitizeLightMap).
+/// A view of the image for the kernels, valid while the image keeps its scalars. Row 0 of the image
+/// is the bottom row (the nadir). The image must be two-dimensional and have the scalars "Radiance"
+/// of vtkSkylineLightMapReader; otherwise std::invalid_argument is thrown with a one-line reason.
+/// The values are not checked: those of the reader are finite and not negative; others must be
+/// cleaned first with SanitizeLightMap.
 SKYLINECORE_EXPORT LightMap ViewLightMap(vtkImageData* image);
 
 } // namespace skyline

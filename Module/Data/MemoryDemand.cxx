@@ -28,7 +28,7 @@ std::string InGigabytes(double bytes)
   return text;
 }
 
-/// The number that a file begins with; Unlimited for "max" and where there is no such file.
+/// The number at the start of a file; Unlimited for "max" or if the file does not exist.
 double ReadNumber(const std::string& file)
 {
   std::ifstream stream(file);
@@ -36,7 +36,7 @@ double ReadNumber(const std::string& file)
   return stream >> number ? number : Unlimited;
 }
 
-/// The number behind `key` in a file of pairs; 0 where there is none.
+/// The value of `key` in a file of key-value pairs; 0 if it is absent.
 double ReadItem(const std::string& file, const std::string& key)
 {
   std::ifstream lines(file);
@@ -54,7 +54,7 @@ double ReadItem(const std::string& file, const std::string& key)
 
 struct Machine
 {
-  double Memory = 0.0, Swap = 0.0; // bytes that are free; Memory is Unlimited where unknown
+  double Memory = 0.0, Swap = 0.0; // bytes that are free; Memory is Unlimited if unknown
 };
 
 Machine FreeOfMachine(const std::string& root)
@@ -78,8 +78,8 @@ Machine FreeOfMachine(const std::string& root)
   return machine;
 }
 
-/// What one control group leaves. Its cached pages of files (inactive_file) are dropped when memory is
-/// wanted, so they count as free.
+/// Free memory of one control group. Its page cache (inactive_file) counts as free, because the
+/// system drops it when memory runs short.
 double FreeOfGroup(const std::string& folder, bool second, double swap)
 {
   const double limit = ReadNumber(folder + (second ? "/memory.max" : "/memory.limit_in_bytes"));
@@ -100,8 +100,9 @@ double FreeOfGroup(const std::string& folder, bool second, double swap)
   return std::max(limit - used + files, 0.0) + swapped;
 }
 
-/// The least of the groups that the program is in and of those above them. In a container the names in
-/// /proc are often the host's, and the container's own group is the root: that is looked at in any case.
+/// The least free memory of the control groups of the process and of their parents. In a container,
+/// /proc often shows the names of the host, and the container's own group is the root; therefore
+/// the root is always included.
 double FreeOfGroups(const std::string& root, double swap)
 {
   std::ifstream groups(root + "/proc/self/cgroup");
@@ -135,7 +136,7 @@ double FreeOfGroups(const std::string& root, double swap)
   return least;
 }
 
-/// Addresses that the limit of the process leaves (ulimit -v).
+/// Bytes of address space that remain under the limit of the process (ulimit -v).
 double FreeOfAddresses()
 {
   rlimit limit{};
@@ -164,7 +165,7 @@ void DemandMemory(
   {
     throw std::runtime_error(what + " of " + std::to_string(columns) + " x " +
       std::to_string(rows) + " posts take " + InGigabytes(needed) + " more (" +
-      std::to_string(std::lround(bytes)) + " bytes a post) and " + InGigabytes(free) +
+      std::to_string(std::lround(bytes)) + " bytes per post) and " + InGigabytes(free) +
       " are free; " + MemoryCure);
   }
 }
@@ -174,7 +175,8 @@ void DemandMemory(
 {
   if (bytes * static_cast<double>(columns) * static_cast<double>(rows) > SmallDemand)
   {
-    // More than can be counted cannot be had either, whatever the system tells.
+    // Memory beyond the range of std::ptrdiff_t cannot be allocated, even if the system reports it
+    // as free.
     constexpr auto most = static_cast<double>(std::numeric_limits<std::ptrdiff_t>::max());
     DemandMemory(what, columns, rows, bytes, std::min(FreeMemory(), most));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Refuses, before any work, what the machine's memory cannot hold.
+// Refuses a computation that does not fit into memory before it starts.
 #ifndef skyline_MemoryDemand_h
 #define skyline_MemoryDemand_h
 
@@ -11,22 +11,23 @@
 namespace skyline
 {
 
-/// What to do where memory is short.
+/// Advice in messages about a lack of memory.
 constexpr const char* MemoryCure =
   "ask for less at a time, cut the raster (gdal_translate -srcwin) or make it coarser (-tr)";
 
-/// Bytes of memory and swap that this program may still take: the least of what the machine has free
-/// (Linux's MemAvailable and SwapFree), what the control groups leave that it runs in (a container's
-/// limit, versions 1 and 2), and its own limit of addresses (ulimit -v). Infinite where the system does
-/// not tell. root: a folder that stands in place of / for the files of the system, for tests.
+/// Bytes of memory and swap that this process can still allocate: the least of the free memory of
+/// the machine (Linux: MemAvailable and SwapFree), what remains in its control groups (the limit of
+/// a container, versions 1 and 2), and what remains of its address space (ulimit -v). Infinite if
+/// the system does not report it. root: folder to use instead of / for the files of the system, for
+/// tests.
 SKYLINECORE_EXPORT double FreeMemory(const std::string& root = "");
 
-/// std::runtime_error that names the bytes and the cure if columns * rows posts take more than `free`.
-/// what: the subject of the sentence, in the plural; bytes: of a post.
+/// Throws std::runtime_error, which names the bytes and the advice, if columns * rows posts need
+/// more than `free` bytes. what: the subject of the message, in the plural; bytes: per post.
 SKYLINECORE_EXPORT void DemandMemory(
   const std::string& what, std::ptrdiff_t columns, std::ptrdiff_t rows, double bytes, double free);
 
-/// The same with the memory that is free now. Some hundred megabytes are not worth asking for.
+/// The same with the memory that is free now. Demands below some hundred megabytes are not checked.
 SKYLINECORE_EXPORT void DemandMemory(
   const std::string& what, std::ptrdiff_t columns, std::ptrdiff_t rows, double bytes);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Azimuths as the public interfaces give them.
+// Azimuths in the form of the public interfaces.
 #ifndef skyline_Azimuth_h
 #define skyline_Azimuth_h
 
@@ -10,8 +10,8 @@
 namespace skyline
 {
 
-/// Azimuth (degrees clockwise from north, 0 up to, not including, 360) of a horizontal direction
-/// with the given east and north components; 0 for no direction.
+/// Azimuth (degrees clockwise from north, at least 0 and below 360) of the horizontal direction
+/// with the given east and north components; 0 if both are 0.
 inline double AzimuthOf(double east, double north)
 {
   const double azimuth = std::atan2(east, north) * DegreesPerRadian;
@@ -24,7 +24,8 @@ inline double AzimuthOf(double east, double north)
   return turned < 360.0 ? turned : 0.0;
 }
 
-/// The same direction, 0 up to, not including, 360 degrees, for an azimuth of any number of turns.
+/// The same direction as an azimuth from 0 to below 360 degrees. The input may have any number of
+/// turns.
 inline double NormalizedAzimuth(double degrees)
 {
   const double part = std::fmod(degrees, 360.0);

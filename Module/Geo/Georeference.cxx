@@ -14,12 +14,11 @@ namespace skyline
 namespace
 {
 
-/// Nodes of a lattice closer than this (degrees; 0.1 mm on the Earth) lie on one meridian or
-/// parallel.
+/// Nodes whose coordinates differ by less than this (degrees; 0.1 mm on the Earth) lie on the same
+/// meridian or parallel.
 constexpr double SameDegrees = 1e-9;
 
-/// The up to three lattice nodes about a post along one axis: Lagrange weights and their
-/// derivatives.
+/// Up to three lattice nodes around a post along one axis: Lagrange weights and their derivatives.
 struct Stencil
 {
   int First = 0;
@@ -56,14 +55,14 @@ private:
   }
 };
 
-/// Place of a post, and how the normal (radians) or, after FrameAt, the place (metres) moves from
+/// Place of a post, and how its normal (radians) or, after FrameAt, its place (metres) changes from
 /// post to post.
 struct LocalFrame : PostSteps
 {
   double Longitude = 0.0, Latitude = 0.0; // degrees
 };
 
-/// A value interpolated on the lattice, with its derivatives per column and row.
+/// A value interpolated on the lattice, with its derivatives per column and per row.
 struct Interpolated
 {
   double Value = 0.0, PerColumn = 0.0, PerRow = 0.0;
@@ -101,7 +100,8 @@ std::size_t NodeIndex(const Georeference& place, int column, int row)
     static_cast<std::size_t>(column);
 }
 
-/// True when three columns and rows of nodes share longitudes along columns and latitudes along rows.
+/// Returns true if three columns and three rows of nodes share their longitudes along the columns
+/// and their latitudes along the rows.
 bool AreGraticule(
   const Georeference& place, const std::array<int, 3>& columns, const std::array<int, 3>& rows)
 {
@@ -112,7 +112,7 @@ bool AreGraticule(
       const std::size_t node = NodeIndex(place, column, row);
       const std::size_t below = NodeIndex(place, column, rows[0]);
       const std::size_t left = NodeIndex(place, columns[0], row);
-      // Negated so that NaN does not follow.
+      // Negated so that NaN does not count as equal.
       if (!(std::abs(place.Longitude[node] - place.Longitude[below]) <= SameDegrees) ||
         !(std::abs(place.Latitude[node] - place.Latitude[left]) <= SameDegrees))
       {
@@ -129,7 +129,8 @@ std::array<int, 3> NodesOf(const Stencil& stencil)
   return { { stencil.First, stencil.First + stencil.Count / 2, last } };
 }
 
-/// Interpolates longitude and latitude themselves: exact on geographic rasters, poles included.
+/// Interpolates longitude and latitude themselves. This is exact on geographic rasters, poles
+/// included.
 void InterpolateAngles(
   const Georeference& place, const Stencil& across, const Stencil& along, LocalFrame& frame)
 {
@@ -152,7 +153,8 @@ void InterpolateAngles(
   frame.NorthPerRow = RadiansPerDegree * latitude.PerRow;
 }
 
-/// Interpolates the unit normals of the ellipsoid: smooth over poles and the antimeridian.
+/// Interpolates the unit normals of the ellipsoid, which are smooth over poles and the
+/// antimeridian.
 void InterpolateNormals(
   const Georeference& place, const Stencil& across, const Stencil& along, LocalFrame& frame)
 {
@@ -227,9 +229,9 @@ LocalFrame FrameAt(const Georeference& place, double column, double row)
   return frame;
 }
 
-/// The frame per metre of the image instead of per post, so that a map without distortion has a
-/// rotation matrix here. On the graticule and in degrees the image's lengths are the true ones;
-/// elsewhere only the ratio of the map's counts.
+/// Converts the frame from steps per post to steps per metre of the image, so that a map without
+/// distortion gives a rotation matrix. On a graticule and for rasters in degrees, the lengths of
+/// the image are the true ones; elsewhere only their ratio on the map matters.
 void ScaleToImage(const Georeference& place, LocalFrame& frame)
 {
   double x = std::hypot(frame.EastPerColumn, frame.NorthPerColumn);
@@ -270,8 +272,8 @@ double Georeference::ConvergenceAt(double column, double row) const
 {
   LocalFrame frame = FrameAt(*this, column, row);
   ScaleToImage(*this, frame);
-  // A rotation by c has EastPerRow = -NorthPerColumn = sin c, NorthPerRow = EastPerColumn = cos c;
-  // their means are the rotation nearest to a matrix that is not one.
+  // A rotation by c has EastPerRow = -NorthPerColumn = sin c and NorthPerRow = EastPerColumn = cos
+  // c. For other matrices, the means of these elements give the nearest rotation.
   return std::atan2(
            frame.EastPerRow - frame.NorthPerColumn, frame.NorthPerRow + frame.EastPerColumn) *
     DegreesPerRadian;
@@ -283,7 +285,7 @@ double Georeference::GridAzimuthAt(double column, double row, double trueAzimuth
   ScaleToImage(*this, frame);
   const double east = std::sin(trueAzimuth * RadiansPerDegree);
   const double north = std::cos(trueAzimuth * RadiansPerDegree);
-  // Cramer's rule; the determinant's size does not matter to the direction, its sign does.
+  // Cramer's rule. The size of the determinant does not affect the direction, but its sign does.
   const double determinant =
     frame.EastPerColumn * frame.NorthPerRow - frame.EastPerRow * frame.NorthPerColumn;
   const double sign = determinant < 0.0 ? -1.0 : 1.0;
@@ -307,7 +309,7 @@ double Georeference::GroundAzimuthAt(double column, double row, double trueAzimu
   const LocalFrame frame = FrameAt(*this, column, row);
   const double east = std::sin(trueAzimuth * RadiansPerDegree);
   const double north = std::cos(trueAzimuth * RadiansPerDegree);
-  // Turned so that the row's step is the y axis.
+  // Turned so that the step between rows is the y axis.
   return AzimuthOf(east * frame.NorthPerRow - north * frame.EastPerRow,
     north * frame.NorthPerRow + east * frame.EastPerRow);
 }

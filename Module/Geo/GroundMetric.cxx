@@ -14,19 +14,20 @@ namespace skyline
 namespace
 {
 
-/// Nodes along a side of the first and of the finest lattice.
+/// Nodes along a side of the first lattice and of the finest one.
 constexpr std::ptrdiff_t FirstNodes = 9;
 constexpr std::ptrdiff_t LastNodes = 257;
 
-/// A raster whose longer side is shorter than this (metres) keeps its spacing: longitudes have no digits
-/// left for its posts, and no map is distorted over it.
+/// A raster whose longer side is shorter than this (metres) keeps its nominal spacing. Longitudes
+/// do not have enough digits for its posts, and no map is distorted over such a length.
 constexpr double ShortestSide = 1.0;
 
-/// Columns closer than this part of the rows' distance are about to meet in a point.
+/// Columns closer together than this part of the distance between rows are about to meet in a
+/// point.
 constexpr double Collapsed = 0.05;
 
-/// Part of a row by which a row is moved away from a point where all columns meet (a pole): the mean
-/// over the half row that its posts stand for.
+/// Part of a row by which a row is moved away from a point where all columns meet (a pole). This
+/// gives the mean over the half row that its posts stand for.
 constexpr double RowShift = 0.25;
 
 std::string PostText(double column, double row)
@@ -41,7 +42,8 @@ std::string PostText(double column, double row)
     "-t_srs)");
 }
 
-/// Where rows end in one point (the pole of a grid), X is 0 or rounding.
+/// Metric of a post from the lattice. X is 0 or a rounding error where a row is a single point (a
+/// pole).
 PostMetric MetricOfLattice(const Georeference& place, double column, double row)
 {
   const PostSteps steps = place.StepsAt(column, row);
@@ -51,7 +53,7 @@ PostMetric MetricOfLattice(const Georeference& place, double column, double row)
     (steps.EastPerColumn * steps.NorthPerRow - steps.EastPerRow * steps.NorthPerColumn) / metric.Y;
   metric.Shear =
     (steps.EastPerColumn * steps.EastPerRow + steps.NorthPerColumn * steps.NorthPerRow) / metric.Y;
-  constexpr double nothing = 1e-6; // of a step: a point, not a length
+  constexpr double nothing = 1e-6; // of a step; anything less is a point
   if (!(metric.Y > 0.0) || !(metric.X > -nothing * metric.Y) || !std::isfinite(metric.X) ||
     !std::isfinite(metric.Shear))
   {
@@ -74,15 +76,15 @@ bool Within(const MetricError& error, double distance, double radians)
   return error.Distance <= distance && error.Azimuth <= radians;
 }
 
-/// Where a post lies among `nodes` nodes spread over `posts` posts.
+/// Position of a post between `nodes` nodes that are spread evenly over `posts` posts.
 LatticePlace PlaceAmong(double post, std::ptrdiff_t posts, std::ptrdiff_t nodes)
 {
   const double scale = static_cast<double>(nodes - 1) / static_cast<double>(posts - 1);
   return { post * scale, nodes };
 }
 
-/// Calls set(i, value) for `count` posts of a row from `column` on, where values are linear between nodes;
-/// at(node, post) gives them.
+/// Calls set(i, value) for `count` posts of a row, starting at `column`. Values are linear between
+/// nodes; at(node, post) gives them.
 template <typename At, typename Set>
 void ForLinearRow(std::ptrdiff_t column, std::ptrdiff_t count, std::ptrdiff_t posts,
   std::ptrdiff_t nodes, const At& at, const Set& set)
@@ -106,9 +108,9 @@ void ForLinearRow(std::ptrdiff_t column, std::ptrdiff_t count, std::ptrdiff_t po
 
 MetricError ErrorOf(const PostMetric& used, const PostMetric& truth)
 {
-  // The map from where a ray is taken to be to where it is, (p 0; r s), is the sum of a turn with scale
-  // and of a mirrored one: z -> A z + B conj(z). A direction turns by arg A and by at most
-  // asin(|B| / |A|) to either side; a length becomes |A| - |B| to |A| + |B| as long.
+  // The map from the assumed to the true end of a ray, (p 0; r s), is the sum of a rotation with
+  // scale and a mirrored one: z -> A z + B conj(z). A direction turns by arg A, and by at most
+  // asin(|B| / |A|) more to either side. A length is multiplied by |A| - |B| to |A| + |B|.
   const double p = truth.X / used.X;
   const double s = truth.Y / used.Y;
   const double r = (truth.Shear - used.Shear * s) / used.X;
@@ -137,7 +139,7 @@ GroundMetric::GroundMetric(const Georeference& place, const PostSpacing& image)
     (place.RowSpacingX.size() != rows || place.RowSpacingY.size() != rows))
   {
     throw std::invalid_argument("there are " + std::to_string(place.RowSpacingX.size()) +
-      " row spacings for " + std::to_string(place.Rows) + " rows; give one a row");
+      " row spacings for " + std::to_string(place.Rows) + " rows; give one per row");
   }
   if (rows >= 2 && !place.RowSpacingX.empty())
   {
@@ -167,7 +169,7 @@ GroundMetric::GroundMetric(const Georeference& place, const PostSpacing& image)
     {
       nodes = 2 * nodes - 1;
     }
-    // Azimuths on the image must count as the image's spacing does, too.
+    // Azimuths on the image must use the spacing of the image, too.
     const PostMetric plane{ this->ImageX, 0.0, this->ImageY };
     const double radians = AzimuthTolerance * RadiansPerDegree;
     if (!Within(this->WorstError(plain), DistanceTolerance, radians) ||
@@ -211,7 +213,8 @@ bool GroundMetric::Sample(const Georeference& place, std::ptrdiff_t side)
       }
     }
   }
-  // What the coarser nodes predict within four times the tolerance, these interpolate within it.
+  // If the coarser lattice predicts these nodes within four times the tolerance, interpolation
+  // between these nodes keeps the tolerance.
   const bool good = !this->Nodes.empty() && worst <= 4.0 * NodeTolerance;
   if (side >= LastNodes && worst > 4.0 * DistanceTolerance)
   {

@@ -8,7 +8,8 @@
 namespace skyline
 {
 
-/// A position between two of the nodes 0 .. nodes - 1 of a row; beyond the ends it is the end.
+/// A position between two of the nodes 0 .. nodes - 1 of a row. Positions beyond an end are moved
+/// to it.
 struct LatticePlace
 {
   std::ptrdiff_t Lower = 0, Upper = 0;

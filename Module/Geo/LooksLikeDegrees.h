@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a map that says nothing of its unit seems to count in degrees.
+// Whether a map that does not state its unit seems to be in degrees.
 #ifndef skyline_LooksLikeDegrees_h
 #define skyline_LooksLikeDegrees_h
 
@@ -8,12 +8,14 @@
 namespace skyline
 {
 
-/// How many times the relief exceeds the width and the height of a map of degrees, and of no map in
-/// metres: a relief of 12 m in a degree does, and no model of a landscape is ten times as high as wide.
+/// A map counts as one in degrees if the relief in metres exceeds its width and its height by this
+/// factor. On a map in degrees, a relief of 12 m per degree is enough; no landscape in metres is
+/// ten times as high as it is wide.
 constexpr double ReliefOfDegrees = 10.0;
 
-/// True where west < east and south < north lie within the ranges of longitudes (to either count) and
-/// latitudes, and `relief`, highest less lowest in metres, is many times the map's extent.
+/// Returns true if west < east and south < north lie within the ranges of longitudes (-180 to 180
+/// or 0 to 360) and latitudes, and `relief`, the range of heights in metres, is many times the
+/// extent of the map.
 inline bool LooksLikeDegrees(double west, double south, double east, double north, double relief)
 {
   constexpr double slack = 1.0; // maps of the whole Earth often reach half a post beyond

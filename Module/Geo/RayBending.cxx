@@ -16,7 +16,8 @@ namespace
 
 constexpr int PlacesAlongSide = 3;
 
-/// Shorter rays say nothing: geodesics are good to some nanometres, lattices to some centimetres.
+/// Shorter rays are not measured: geodesics are accurate to some nanometres, lattices to some
+/// centimetres.
 constexpr double ShortestRay = 100.0; // metres
 
 } // namespace
@@ -30,7 +31,7 @@ RayBending MeasureRayBending(const Georeference& place, double longest)
   }
   const GeographicLib::Geodesic ellipsoid(place.EquatorialRadius, place.Flattening);
   constexpr int places = PlacesAlongSide * PlacesAlongSide;
-  // Of the way from the first post to the last.
+  // Fraction of the way from the first post to the last.
   const auto part = [](int step) { return static_cast<double>(step) / (PlacesAlongSide - 1); };
   const double lastColumn = static_cast<double>(place.Columns - 1);
   const double lastRow = static_cast<double>(place.Rows - 1);

@@ -11,31 +11,31 @@ namespace skyline
 namespace
 {
 
-/// Parts of the range of directions in which the largest widening is looked for.
+/// Number of parts of the range of directions for which the largest widening is determined.
 constexpr int Bins = 256;
 
-/// How a post's own direction looks on the metric of the centre.
+/// The ray of a post, expressed in the metric of the centre.
 struct OwnRay
 {
-  double Direction; ///< radians, of the centre's ground
-  double Length;    ///< logarithm of its length per line over the centre's
-  double Widening;  ///< of angles at the post, for one of Direction
+  double Direction; ///< radians, on the ground at the centre
+  double Length;    ///< logarithm of its length per line divided by that at the centre
+  double Widening;  ///< change of the angle at the post per change of Direction
 };
 
 OwnRay RayOf(const PostMetric& metric, const PostMetric& reference, double azimuth)
 {
   const double columns = std::sin(azimuth) / metric.X;
   const double rows = (std::cos(azimuth) - metric.Shear * columns) / metric.Y;
-  const double length = LengthOf(reference, columns, rows); // on the post's own ground it is 1
+  const double length = LengthOf(reference, columns, rows); // 1 on the ground at the post itself
   OwnRay ray;
   ray.Direction = std::atan2(reference.X * columns, reference.Shear * columns + reference.Y * rows);
   ray.Length = -std::log(length);
-  // A direction turns by the cell's area over the squared length.
+  // A direction turns by the area of the cell divided by the squared length.
   ray.Widening = metric.X * metric.Y / (reference.X * reference.Y) * length * length;
   return ray;
 }
 
-/// The place of a value among rising nodes.
+/// The fractional position of a value among rising nodes.
 float PlaceOf(const std::vector<double>& nodes, double value)
 {
   const auto above = std::upper_bound(nodes.begin(), nodes.end(), value);
@@ -52,7 +52,7 @@ float PlaceOf(const std::vector<double>& nodes, double value)
   return static_cast<float>(index + (value - below) / (*above - below));
 }
 
-/// Nodes from least to greatest whose distance is at most `step(from)`.
+/// Nodes from `least` to `greatest` whose distances are at most `step(from)`.
 template <typename Step>
 std::vector<double> Nodes(double least, double greatest, const Step& step)
 {
@@ -68,8 +68,8 @@ std::vector<double> Nodes(double least, double greatest, const Step& step)
   return nodes;
 }
 
-/// The widening of the posts that use a direction, by parts of the range of directions; a part that no
-/// post uses has its neighbours'.
+/// The largest widening of the posts that use a direction, for each part of the range of
+/// directions. A part that no post uses gets the value of its neighbours.
 class WideningByDirection
 {
 public:

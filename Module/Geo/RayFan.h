@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rays that one azimuth needs on a distorted map, where it runs in another direction at every post.
+// The rays for one azimuth on a distorted map, where the azimuth has another direction at each
+// post.
 #ifndef skyline_RayFan_h
 #define skyline_RayFan_h
 
@@ -13,23 +14,24 @@
 namespace skyline
 {
 
-/// Radians between neighbouring rays of a fan, on the ground of every post that uses them: no ray that
-/// counts for a post leaves it further beside its azimuth. The horizon is interpolated between both, so
-/// that their mean direction is the exact one and no border can be seen. 0.03 degrees.
+/// Radians between neighbouring rays of a fan, measured on the ground of each post that uses them:
+/// no ray used for a post departs further from its azimuth. The horizon is interpolated between two
+/// rays, so that their mean direction is exact and no boundary is visible. 0.03 degrees.
 constexpr double FanAzimuthStep = 0.03 * RadiansPerDegree;
 
-/// Relative difference of the lengths of neighbouring rays. Slopes are brought to each post's own length;
-/// only the part that the body's curvature takes, d (1 - k) / 2R, comes from the rays, again interpolated.
+/// Relative difference between the lengths of neighbouring rays. Slopes are scaled to the exact
+/// length at each post. Only the effect of curvature, d (1 - k) / 2R, comes from the rays and is
+/// interpolated.
 constexpr double FanLengthStep = 0.02;
 
-/// Directions and lengths that serve all posts in one azimuth. A search with direction i and length j is
-/// one with the metric of the field's centre, its lengths times exp(Lengths[j]), and the azimuth
-/// Directions[i] on that metric.
+/// Directions and lengths that together serve all posts in one azimuth. The search with direction i
+/// and length j uses the metric of the centre of the field with its lengths times exp(Lengths[j]),
+/// and the azimuth Directions[i] on that metric.
 class SKYLINECORE_EXPORT RayFan
 {
 public:
-  /// azimuth: radians from the image's +y axis, on the image (`onImage`) or on the ground. curved: the
-  /// body's curvature counts; without it one length serves all.
+  /// azimuth: radians from the +y axis of the image, on the image (`onImage`) or on the ground.
+  /// curved: true if the body is curved; otherwise one length serves all posts.
   RayFan(const GroundMetric& metric, double azimuth, bool onImage, bool curved);
 
   std::vector<double> Directions, Lengths; ///< rising, at least one each; directions in radians
@@ -39,15 +41,15 @@ public:
   /// The metric of the searches with length j.
   PostMetric MetricOf(std::size_t length) const;
 
-  /// Where posts (column .. column + count - 1, row) lie among the directions and lengths: 1.25 is a
-  /// quarter of the way from the second to the third.
+  /// Fractional indices of the posts (column .. column + count - 1, row) among the directions and
+  /// the lengths: 1.25 is a quarter of the way from the second to the third.
   void Places(std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count, float* directions,
     float* lengths) const;
 
 private:
   const GroundMetric& Metric;
   PostMetric Reference;
-  std::vector<float> Direction, Length; ///< of the metric's nodes, as places
+  std::vector<float> Direction, Length; ///< of the nodes of the metric, as fractional indices
 };
 
 } // namespace skyline

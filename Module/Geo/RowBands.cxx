@@ -12,8 +12,8 @@ namespace skyline
 namespace
 {
 
-/// A band's spacing is the middle of its least and greatest, so it grows while half their
-/// difference stays within the tolerance.
+/// The spacing of a band is the middle of its least and greatest spacing. A band therefore grows
+/// while half their difference stays within the tolerance.
 struct Range
 {
   double Least, Greatest;

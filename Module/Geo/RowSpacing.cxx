@@ -16,7 +16,7 @@ namespace skyline
 namespace
 {
 
-/// Geodesics are good to some nanometres; over a metre that is nothing.
+/// Geodesics are accurate to some nanometres, which is negligible over a metre.
 constexpr double ShortestBase = 1.0;         // metres
 constexpr double ShortestBaseDegrees = 1e-5; // degrees, a metre on the Earth
 
@@ -29,7 +29,8 @@ void CheckSteps(double x, double y)
   }
 }
 
-/// What no lattice on a body has: steps about half of it, between whose ends the shorter way is another.
+/// Refuses steps of more than 180 degrees, whose ends are nearer to each other the other way
+/// around.
 void CheckDegrees(double x, double y)
 {
   if (x > 180.0 || y > 180.0)
@@ -39,13 +40,13 @@ void CheckDegrees(double x, double y)
   }
 }
 
-/// Whole posts that span at least `shortest`.
+/// Number of whole posts that span at least `shortest`.
 double Posts(double step, double shortest)
 {
   return std::max(1.0, std::ceil(shortest / step));
 }
 
-/// Measures true lengths about the middle of a row.
+/// Measures true lengths around the middle of a row.
 class Ruler
 {
 public:
@@ -56,12 +57,13 @@ public:
   {
   }
 
-  /// Steps in degrees of longitude and latitude.
+  /// The spacing for steps in degrees of longitude and latitude.
   PostSpacing Geographic(double row, double stepX, double stepY) const
   {
     double longitude = 0.0, latitude = 0.0;
     this->Place.LonLatAt(this->Column, row, longitude, latitude);
-    // A post on the pole may miss it by rounding; half a step beyond is no place.
+    // A post at the pole may miss it by rounding, but half a step beyond the pole there is no
+    // place.
     if (!(std::abs(latitude) < 90.0 + 0.25 * stepY))
     {
       throw std::invalid_argument("row " + std::to_string(row) + " lies at latitude " +
@@ -81,7 +83,7 @@ public:
     return spacing;
   }
 
-  /// Steps in metres on the map.
+  /// The spacing for steps in metres on the map.
   PostSpacing Projected(double row, double stepX, double stepY) const
   {
     const double acrossX = Posts(stepX, ShortestBase);
@@ -149,11 +151,11 @@ PostSpacing ComputeRowSpacing(Georeference& place, double nominalX, double nomin
   }
 
   double longitude = 0.0, latitude = 0.0;
-  place.LonLatAt(0.0, 0.0, longitude, latitude); // refuses what has no body
+  place.LonLatAt(0.0, 0.0, longitude, latitude); // throws if there is no body
   if (unit != StepUnit::Degrees && !place.FollowsGraticule())
   {
     const double metres =
-      unit == StepUnit::Metres ? 1.0 : place.EquatorialRadius * RadiansPerDegree; // about
+      unit == StepUnit::Metres ? 1.0 : place.EquatorialRadius * RadiansPerDegree; // approximate
     const PostMetric centre =
       GroundMetric(place, { metres * nominalX, metres * nominalY }).Centre();
     return { std::hypot(centre.X, centre.Shear), centre.Y };
@@ -163,7 +165,7 @@ PostSpacing ComputeRowSpacing(Georeference& place, double nominalX, double nomin
   {
     const PostSpacing found = unit == StepUnit::Metres ? ruler.Projected(row, nominalX, nominalY)
                                                        : ruler.Geographic(row, nominalX, nominalY);
-    CheckSteps(found.X, found.Y); // too small for double, or a map without an inverse here
+    CheckSteps(found.X, found.Y); // too small for double, or no inverse of the map here
     return found;
   };
   const PostSpacing centre = measure(0.5 * static_cast<double>(place.Rows - 1));

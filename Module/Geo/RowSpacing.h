@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How many metres lie between the posts of each row.
+// Metres between the posts of each row.
 #ifndef skyline_RowSpacing_h
 #define skyline_RowSpacing_h
 
@@ -9,8 +9,8 @@
 namespace skyline
 {
 
-/// Rows whose spacing differs less than this from the centre row's count as all the same: a
-/// distance off by 0.01 % turns no horizon by more than 0.003 degrees.
+/// If the spacings of all rows differ from that of the centre row by less than this part, they
+/// count as equal: an error of 0.01 % in a distance changes no horizon by more than 0.003 degrees.
 constexpr double RowSpacingUniformity = 1e-4;
 
 /// Metres between columns and between rows.
@@ -19,27 +19,28 @@ struct PostSpacing
   double X = 1.0, Y = 1.0;
 };
 
-/// What the steps of a raster are.
+/// The unit of the steps of a raster.
 enum class StepUnit
 {
-  Metres,        ///< on a map or without a place
+  Metres,        ///< on a map, or without a place on a body
   Degrees,       ///< of longitude and latitude
-  DerivedDegrees ///< of another sphere of longitudes and latitudes, such as one with a rotated pole
+  DerivedDegrees ///< of a derived system, such as one with a rotated pole
 };
 
-/// Fills RowSpacingX and RowSpacingY (one pair a row from the south, or empty where every row is
-/// within RowSpacingUniformity of the centre row) and returns the centre's spacing, metres.
+/// Fills RowSpacingX and RowSpacingY (one pair per row from the south, or empty if all rows are
+/// within RowSpacingUniformity of the centre row) and returns the spacing at the centre in metres.
 ///
-/// `nominalX`, `nominalY`: the raster's steps, above 0. In degrees the true spacing is measured, by
-/// GeographicLib's geodesics on the body's ellipsoid along the row and along the meridian. Metres are
-/// true where GroundMetric finds them so; elsewhere the rows of a map that follows the graticule (web
-/// Mercator, plate carree) get measured spacings. On every other map, and for derived degrees, no row has
-/// one spacing: the rows stay empty, the centre's is returned, and GroundMetric tells the posts'. A height
-/// field without a body, or smaller than a metre, keeps its nominal metres.
+/// `nominalX`, `nominalY`: the steps of the raster, above 0. For steps in degrees, the true spacing
+/// is measured with the geodesics of GeographicLib on the ellipsoid of the body, along the row and
+/// along the meridian. Steps in metres are used if GroundMetric finds them true; otherwise the rows
+/// of a map that follows the graticule (web Mercator, plate carree) get measured spacings. On all
+/// other maps, and for derived degrees, no row has one spacing: both lists stay empty, the spacing
+/// at the centre is returned, and GroundMetric gives those at the posts. A height field without a
+/// body, or smaller than a metre, keeps its nominal metres.
 ///
-/// A row at a pole has no width; it gets the one a quarter of a row away, the mean over the half
-/// row that its posts stand for. Throws std::invalid_argument for steps that are not positive
-/// numbers, for degrees without a body, and what GroundMetric throws.
+/// A row at a pole has no width. It gets the spacing a quarter of a row away, which is the mean
+/// over the half row that its posts stand for. Throws std::invalid_argument for steps that are not
+/// positive numbers and for degrees without a body, and what GroundMetric throws.
 SKYLINECORE_EXPORT PostSpacing ComputeRowSpacing(
   Georeference& place, double nominalX, double nominalY, StepUnit unit = StepUnit::Metres);
 

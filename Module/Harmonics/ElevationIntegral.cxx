@@ -61,7 +61,7 @@ Polynomial Legendre(int l)
   return now;
 }
 
-/// N_lm Q: the harmonic is cos^m e times it.
+/// N_lm Q: the harmonic is cos^m e times this polynomial.
 Polynomial HarmonicPolynomial(int l, int m)
 {
   Polynomial q = Legendre(l);
@@ -82,7 +82,7 @@ Polynomial HarmonicPolynomial(int l, int m)
   return q;
 }
 
-/// The coefficients of every other power from `first` on: a polynomial in q.
+/// The coefficients of every other power, starting at `first`, as a polynomial in q.
 Polynomial EveryOther(const Polynomial& p, std::size_t first)
 {
   Polynomial result;
@@ -93,7 +93,8 @@ Polynomial EveryOther(const Polynomial& p, std::size_t first)
   return result;
 }
 
-// Int_0^s (1 - t^2)^((n - 1) / 2) r(t^2) t^odd dt; p is what follows s (odd = 0) or q (odd = 1).
+// Int_0^s (1 - t^2)^((n - 1) / 2) r(t^2) t^odd dt. The result p is multiplied by s (odd = 0) or q
+// (odd = 1).
 Polynomial OddCosine(int n, const Polynomial& r, int odd)
 {
   Polynomial p = Times(OneMinus((n - 1) / 2), r);
@@ -192,7 +193,7 @@ double ElevationIntegral::Lost(double horizon) const
 
 ElevationIntegral MakeElevationIntegral(int l, int m, ElevationWeight weight)
 {
-  // cos^m of the harmonic, cos of the solid angle.
+  // cos^m from the harmonic, and one cosine from the solid angle.
   const int n = m + 1 + (weight == ElevationWeight::Forward ? 1 : 0);
   Polynomial q = HarmonicPolynomial(l, m);
   int parity = (l - m) % 2;

@@ -20,7 +20,7 @@ namespace
 constexpr int UnrolledBands = DefaultHarmonicBands;
 constexpr int UnrolledCount = HarmonicCount(UnrolledBands);
 
-/// Calls visit(i, j, k, value) for all terms of a tensor.
+/// Calls visit(i, j, k, value) for each term of a tensor.
 template <typename Visit>
 constexpr void VisitTerms(int bands, const Visit& visit)
 {
@@ -72,8 +72,8 @@ constexpr UnrolledTensor MakeUnrolled()
 
 constexpr UnrolledTensor Unrolled = MakeUnrolled();
 
-/// Adds a term to the product: every place that its permutations reach. Inlined even where the
-/// compiler counts too many calls: the constant indices are the point.
+/// Adds a term to the product, for all permutations of its indices. It is always inlined, because
+/// the speed depends on constant indices.
 template <typename Real>
 [[gnu::always_inline]] inline void AddTerm(
   int i, int j, int k, Real value, const Real* a, const Real* b, Real* out)
@@ -100,8 +100,8 @@ template <typename Real>
   }
 }
 
-/// The loop over all terms with the indices known to the compiler: no loads of indices, sums in
-/// registers.
+/// The loop over all terms with indices known at compile time: no indices are loaded, and the sums
+/// stay in registers.
 template <typename Real, std::size_t... Term>
 inline void UnrolledProduct(const Real* a, const Real* b, Real* out, std::index_sequence<Term...>)
 {
@@ -176,7 +176,7 @@ const HarmonicProduct& HarmonicProduct::ForBands(int bands)
       return Built<8>();
     default:
       throw std::invalid_argument(
-        std::to_string(bands) + " bands of spherical harmonics; take 2 to 8");
+        std::to_string(bands) + " bands of spherical harmonics; give 2 to 8");
   }
 }
 

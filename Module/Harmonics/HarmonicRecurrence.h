@@ -15,7 +15,7 @@
 namespace skyline
 {
 
-/// Square root at compile time, by Newton's method from above; x is between 1e-3 and 1e3.
+/// Square root at compile time, by Newton's method from above. x must lie between 1e-3 and 1e3.
 constexpr double ConstantRoot(double x)
 {
   double root = x > 1.0 ? x : 1.0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Integrals of three spherical harmonics over the sphere (Gaunt coefficients of the real basis),
-// computed at compile time or at run time.
+// Integrals of products of three spherical harmonics over the sphere (Gaunt coefficients of the
+// real basis), computed at compile time or at run time.
 //
-// The azimuthal part is a closed form; the polar part is a polynomial of degree 21 at most, which a
-// Gauss-Legendre rule of 12 nodes integrates exactly.
+// The azimuthal part has a closed form. The polar part is a polynomial of degree 21 or less, which
+// a Gauss-Legendre rule with 12 nodes integrates exactly.
 #ifndef skyline_HarmonicTensor_h
 #define skyline_HarmonicTensor_h
 
@@ -17,10 +17,11 @@ namespace skyline
 
 constexpr int TensorNodes = 12; ///< 2 * 12 - 1 >= 3 * (MaxHarmonicBands - 1), and even
 
-/// The nodes z > 0 of the rule with the values of all Q_l^m there (see HarmonicRecurrence.h).
+/// The nodes z > 0 of the rule, with the values of all Q_l^m at these nodes (see
+/// HarmonicRecurrence.h).
 struct PolarTable
 {
-  double Weight[TensorNodes / 2] = {}; ///< of a node and its mirror image
+  double Weight[TensorNodes / 2] = {}; ///< of a node and of its mirror image
   double Square[TensorNodes / 2] = {}; ///< 1 - z^2
   double Value[MaxHarmonicBands][MaxHarmonicBands][TensorNodes / 2] = {}; ///< [l][m][node]
 };
@@ -53,7 +54,8 @@ constexpr PolarTable MakePolarTable()
 
 inline constexpr PolarTable PolarNodes = MakePolarTable();
 
-/// Integral over a turn of three of cos(m p), m >= 0, and sin(-m p), m < 0.
+/// Integral over the full circle of the product of three factors: cos(m p) for m >= 0, sin(-m p)
+/// for m < 0.
 constexpr double AzimuthIntegral(int m1, int m2, int m3)
 {
   const int sines = (m1 < 0) + (m2 < 0) + (m3 < 0);
@@ -61,7 +63,7 @@ constexpr double AzimuthIntegral(int m1, int m2, int m3)
   {
     return 0.0;
   }
-  // Two sines, or none: the cosine that is left over goes last.
+  // There are two sines or none; the remaining cosine goes last.
   const int last = m1 >= 0 ? m1 : m2 >= 0 ? m2 : m3;
   const int first = m1 >= 0 ? m2 : m1;
   const int second = m1 >= 0 || m2 >= 0 ? m3 : m2;
@@ -81,8 +83,8 @@ constexpr int HarmonicBand(int index)
   return l;
 }
 
-/// Integral of Y_i Y_j Y_k over the sphere, indices below MaxHarmonicBands^2; exactly 0 where the
-/// rules of selection say so.
+/// Integral of Y_i Y_j Y_k over the sphere for indices below MaxHarmonicBands^2. It is exactly 0
+/// where the selection rules say so.
 constexpr double HarmonicTriple(int i, int j, int k)
 {
   const int l1 = HarmonicBand(i), l2 = HarmonicBand(j), l3 = HarmonicBand(k);
@@ -97,7 +99,7 @@ constexpr double HarmonicTriple(int i, int j, int k)
   double integral = 0.0;
   for (int node = 0; node < TensorNodes / 2; ++node)
   {
-    double power = 1.0; // (1 - z^2)^((a + b + c) / 2); the sum is even where the turn is not 0
+    double power = 1.0; // (1 - z^2)^((a + b + c) / 2); the sum is even if `turn` is not 0
     for (int p = 0; p < a + b + c; p += 2)
     {
       power *= PolarNodes.Square[node];
@@ -105,7 +107,7 @@ constexpr double HarmonicTriple(int i, int j, int k)
     integral += PolarNodes.Weight[node] * power * PolarNodes.Value[l1][a][node] *
       PolarNodes.Value[l2][b][node] * PolarNodes.Value[l3][c][node];
   }
-  // A few vanish although no rule says so; the smallest that does not is above 1e-3.
+  // A few integrals vanish without a rule. The smallest one that does not is above 1e-3.
   return integral * turn > 1.0e-12 || integral * turn < -1.0e-12 ? integral * turn : 0.0;
 }
 

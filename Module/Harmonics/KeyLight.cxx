@@ -18,17 +18,17 @@ namespace
 
 constexpr double Circle = 2.0 * Pi;
 
-/// The angle brought into [0, 2 pi).
+/// The same angle in [0, 2 pi).
 double Turned(double angle)
 {
   const double turned = std::fmod(angle, Circle);
   return turned < 0.0 ? turned + Circle : turned;
 }
 
-/// The transfer vector of a receiver with a normal that sees a whole swath of sky.
+/// The transfer vector of a receiver with the given normal that sees the sky of the whole swath.
 std::vector<double> OpenTransfer(const Swath& swath, int bands, const double normal[3])
 {
-  constexpr int parts = 256; // midpoints; the integrand has one kink at most
+  constexpr int parts = 256; // midpoints; the integrand has at most one kink
   const auto upward = ElevationIntegrals(bands, ElevationWeight::Upward);
   const auto forward = ElevationIntegrals(bands, ElevationWeight::Forward);
   std::vector<double> transfer(static_cast<std::size_t>(HarmonicCount(bands)), 0.0);
@@ -56,7 +56,7 @@ std::vector<double> OpenTransfer(const Swath& swath, int bands, const double nor
   return transfer;
 }
 
-/// The whole disc stands above the horizontal plane and in the swath.
+/// Returns true if the whole disc lies above the horizontal plane and in the swath.
 bool IsWithin(const KeyLight& light, const Swath& swath)
 {
   const Swath own = SwathOf(light);
@@ -67,8 +67,8 @@ bool IsWithin(const KeyLight& light, const Swath& swath)
           0.5 * swath.Width + 1.0e-12));
 }
 
-/// The projection of the part of the disc that stands above the horizontal plane and in the swath:
-/// midpoints of rings of equal width, and spokes.
+/// Projects the part of the disc that lies above the horizontal plane and in the swath, by
+/// midpoints of rings of equal width and of spokes.
 void ProjectPart(const KeyLight& light, const Swath& swath, int bands, double* coefficients)
 {
   constexpr int rings = 64;
@@ -84,7 +84,7 @@ void ProjectPart(const KeyLight& light, const Swath& swath, int bands, double* c
     for (int spoke = 0; spoke < spokes; ++spoke)
     {
       const double turn = Circle * (spoke + 0.5) / spokes;
-      // Ahead, to the right of and above the light's own direction.
+      // Components ahead, to the right of and above the direction of the light.
       const double ahead = std::cos(r) * ce - std::sin(r) * std::cos(turn) * se;
       const double right = std::sin(r) * std::sin(turn);
       const double up = std::cos(r) * se + std::sin(r) * std::cos(turn) * ce;
@@ -123,8 +123,8 @@ double FacingIrradiance(const KeyLight& light)
   {
     return Pi * sine * sine;
   }
-  // Rings about the light: at the angle r the horizontal plane leaves the part of the ring whose
-  // height sin e cos r + cos e sin r cos t is above 0.
+  // Rings around the centre of the light. On the ring of angle r, the part with the sine of
+  // elevation sin e cos r + cos e sin r cos t > 0 lies above the horizontal plane.
   constexpr int rings = 20000;
   const double step = light.Radius / rings;
   double sum = 0.0;
@@ -169,7 +169,7 @@ void KeyLightHarmonics(
   {
     found += open[k] * coefficients[k];
   }
-  // Nothing of the light stands in the swath, or it has no size: no light.
+  // If no part of the light lies in the swath, or the light has no size, all coefficients are 0.
   const double scale = found > 0.0 ? FacingIrradiance(light) / found : 0.0;
   for (std::size_t k = 0; k < open.size(); ++k)
   {

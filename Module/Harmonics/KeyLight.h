@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lights that stand in a part of the horizon alone: the key lights of Snyder & Nowrouzezahrai 2008
-// (SN08), sections 4 to 6.
+// Lights that cover only a part of the circle of azimuths: the key lights of Snyder &
+// Nowrouzezahrai 2008 (SN08), sections 4 to 6.
 #ifndef skyline_KeyLight_h
 #define skyline_KeyLight_h
 
@@ -14,35 +14,36 @@
 namespace skyline
 {
 
-/// A distant disc of even radiance. Angles in radians.
+/// A distant disc of uniform radiance. Angles in radians.
 struct KeyLight
 {
-  double Azimuth = 0.0;   ///< of its middle, clockwise from grid north
-  double Elevation = 0.5; ///< of its middle, 0 to pi / 2
-  double Radius = 0.1;    ///< angular, above 0, up to pi / 2
+  double Azimuth = 0.0;   ///< of its centre, clockwise from grid north
+  double Elevation = 0.5; ///< of its centre, 0 to pi / 2
+  double Radius = 0.1;    ///< angular, above 0, at most pi / 2
 };
 
-/// The azimuths that a light's disc covers: asin(sin r / cos e) to either side; the circle if the disc
-/// holds the zenith.
+/// The range of azimuths that the disc of a light covers: asin(sin r / cos e) to each side of its
+/// centre, or the full circle if the disc contains the zenith.
 SKYLINECORE_EXPORT Swath SwathOf(const KeyLight& light);
 
-/// How a key light becomes a series.
+/// How a key light is converted to a series.
 enum class KeyLightSeries
 {
-  Fitted,   ///< closest to the disc in the swath, above the horizontal plane (LightFit.h)
-  Projected ///< of the whole sphere, as SN08 have it
+  Fitted,   ///< closest to the disc in the swath and above the horizontal plane (LightFit.h)
+  Projected ///< over the whole sphere, as in SN08
 };
 
-/// The light's coefficients (radiance 1) for transfer vectors of a swath. A truncated series spreads
-/// a disc and a swath keeps a part of that; so it is scaled until a receiver that faces the light,
-/// with nothing in the way, gets the disc's own irradiance, pi sin^2 r or what of it stands above the
-/// horizontal plane (SN08, figure 6: unit unshadowed shading). All 0 for a light outside of the swath.
-/// 1 to 8 bands.
+/// The coefficients of the light, with radiance 1, for transfer vectors of a swath. A truncated
+/// series spreads a disc, and a swath keeps only a part of it. Therefore the series is scaled so
+/// that an unshadowed receiver that faces the light gets the irradiance of the disc, which is pi
+/// sin^2 r or that of the part above the horizontal plane (SN08, figure 6: unit unshadowed
+/// shading). All coefficients are 0 if the light lies outside the swath. bands: 1 to 8.
 SKYLINECORE_EXPORT void KeyLightHarmonics(const KeyLight& light, const Swath& swath, int bands,
   double* coefficients, KeyLightSeries series = KeyLightSeries::Fitted);
 
-/// Irradiance of a disc of radiance 1 on a receiver that faces it, from above the horizontal plane
-/// alone: pi sin^2 r where it stands clear of it. By quadrature, to 1e-6 of itself.
+/// Irradiance from the part of a disc of radiance 1 above the horizontal plane on a receiver that
+/// faces the disc: pi sin^2 r if the whole disc lies above. Computed by quadrature, with a relative
+/// error of 1e-6.
 SKYLINECORE_EXPORT double FacingIrradiance(const KeyLight& light);
 
 } // namespace skyline

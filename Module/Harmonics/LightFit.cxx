@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The fit c minimises Int (L - Sum c_k Y_k)^2 + ridge |c|^2 over the part of the sphere, so
-// (G + ridge) c = b with G_jk = Int Y_j Y_k and b the projection. Y_lm is a factor of the elevation
-// times one of the azimuth, and so is G.
+// The fit c minimises Int (L - Sum c_k Y_k)^2 + ridge |c|^2 over the part of the sphere, so that (G
+// + ridge) c = b, where G_jk = Int Y_j Y_k and b is the projection. As Y_lm is a factor of
+// elevation times a factor of azimuth, G is such a product, too.
 #include "Harmonics/LightFit.h"
 
 #include "Harmonics/SwathMean.h"
@@ -17,7 +17,7 @@ namespace skyline
 namespace
 {
 
-/// Int over the swath of two azimuthal factors: cos(m p) for m >= 0, sin(-m p) for m < 0.
+/// Integral over the swath of two azimuthal factors: cos(m p) for m >= 0, sin(-m p) for m < 0.
 double AzimuthProduct(const Swath& swath, int a, int b)
 {
   const SwathMean less = MeanOverSwath(std::abs(a) - std::abs(b), swath.Azimuth, swath.Width);
@@ -34,10 +34,10 @@ double AzimuthProduct(const Swath& swath, int a, int b)
   return 0.5 * swath.Width * (more.Sine + (a < 0 ? less.Sine : -less.Sine));
 }
 
-/// The harmonics' factors of elevation: by band and order, where the factor of the azimuth is 1.
+/// The elevation factors of the harmonics, by band and order, with the azimuthal factor 1.
 std::array<double, HarmonicCount(MaxHarmonicBands)> ElevationFactors(int bands, double elevation)
 {
-  // cos(m p) = 1 in the east.
+  // cos(m p) = 1 towards the east.
   std::array<double, HarmonicCount(MaxHarmonicBands)> values{};
   EvaluateHarmonics(bands, std::cos(elevation), 0.0, std::sin(elevation), values.data());
   for (int l = 0; l < bands; ++l)
@@ -54,7 +54,7 @@ std::array<double, HarmonicCount(MaxHarmonicBands)> ElevationFactors(int bands, 
 /// The symmetric matrix G, row by row.
 std::vector<double> Gram(const Swath& swath, int bands)
 {
-  // Simpson's rule: of functions that turn 16 times at most, to 1e-9.
+  // Simpson's rule, accurate to 1e-9 for functions that oscillate at most 16 times.
   constexpr int steps = 512;
   const auto count = static_cast<std::size_t>(HarmonicCount(bands));
   std::vector<double> gram(count * count, 0.0);
@@ -92,7 +92,8 @@ std::vector<double> Gram(const Swath& swath, int bands)
   return gram;
 }
 
-/// Solves the symmetric positive definite system whose lower triangle is given, by Cholesky.
+/// Solves a symmetric positive definite system, given by its lower triangle, with Cholesky's
+/// method.
 void Solve(std::vector<double>& matrix, std::vector<double>& vector)
 {
   const std::size_t n = vector.size();
@@ -133,7 +134,8 @@ void FitLight(const Swath& swath, int bands, const double* projected, double* fi
   std::vector<double> gram = Gram(swath, bands);
   for (std::size_t k = 0; k < count; ++k)
   {
-    gram[k * count + k] += ridge * swath.Width / (2.0 * Pi); // the part's share of the hemisphere
+    gram[k * count + k] += ridge * swath.Width / (2.0 * Pi); // the share of the hemisphere that the
+                                                             // part covers
   }
   std::vector<double> solution(projected, projected + count);
   Solve(gram, solution);

@@ -31,7 +31,7 @@ void EvaluateHarmonics(int bands, Real x, Real y, Real z, Real* values)
     for (int l = m;;)
     {
       values[HarmonicIndex(l, -m)] = value * odd;
-      values[HarmonicIndex(l, m)] = value * even; // after: m = 0 has one function
+      values[HarmonicIndex(l, m)] = value * even; // set last: for m = 0 there is one function
       if (++l == bands)
       {
         break;
@@ -58,7 +58,8 @@ void RotateAboutVertical(int bands, double angleClockwise, const Real* in, Real*
     {
       const Real even = in[HarmonicIndex(l, m)], odd = in[HarmonicIndex(l, -m)];
       out[HarmonicIndex(l, -m)] = cosine * odd - sine * even;
-      out[HarmonicIndex(l, m)] = cosine * even + sine * odd; // m = 0: the same place, unchanged
+      out[HarmonicIndex(l, m)] = cosine * even + sine * odd; // for m = 0 the same element,
+                                                             // unchanged
     }
   }
 }
@@ -77,8 +78,9 @@ void RotateZonal(int bands, const Real* zonal, Real x, Real y, Real z, Real* out
   }
 }
 
-// Integral over 0 ... 1 of t P_l(t), Ramamoorthi & Hanrahan 2001, equation 8, from its generating
-// function: 1/2, 1/3, then 0 for odd l and (-1)^(l/2 - 1) / ((l + 2) (l - 1)) * l! / (2^l (l/2)!^2).
+// Integral over 0 ... 1 of t P_l(t), Ramamoorthi & Hanrahan 2001, equation 8, from the generating
+// function: 1/2, 1/3, then 0 for odd l and (-1)^(l/2 - 1) / ((l + 2) (l - 1)) * l! / (2^l
+// (l/2)!^2).
 double ClampedCosineZonal(int l)
 {
   double integral = l == 1 ? 1.0 / 3.0 : 0.0;
@@ -98,8 +100,8 @@ double HemisphereZonal(int l)
   return CapZonal(l, 0.0);
 }
 
-// Integral over c ... 1 of P_l(t) = (1 - c^2) P_l'(c) / (l (l + 1)), by Legendre's equation; it keeps
-// its digits for small caps, where (P_(l-1)(c) - P_(l+1)(c)) / (2 l + 1) would lose them.
+// Integral over c ... 1 of P_l(t) = (1 - c^2) P_l'(c) / (l (l + 1)), by Legendre's equation. It is
+// accurate for small caps, where (P_(l-1)(c) - P_(l+1)(c)) / (2 l + 1) would lose digits.
 double CapZonal(int l, double cosRadius)
 {
   const double c = cosRadius;

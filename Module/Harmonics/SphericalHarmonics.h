@@ -18,54 +18,55 @@
 namespace skyline
 {
 
-/// The most bands of the functions below (the zonal ones take any band).
+/// Largest number of bands of the functions below. The zonal functions take any band.
 constexpr int MaxHarmonicBands = 8;
 
-/// Bands where nothing else is said: 16 coefficients, Snyder & Nowrouzezahrai 2008's order 4.
+/// Default number of bands: 16 coefficients, order 4 of Snyder & Nowrouzezahrai 2008.
 constexpr int DefaultHarmonicBands = 4;
 
-/// Coefficients of so many bands.
+/// Number of coefficients for a number of bands.
 constexpr int HarmonicCount(int bands)
 {
   return bands * bands;
 }
 
-/// Where the coefficient of band l and order m stands.
+/// Index of the coefficient of band l and order m.
 constexpr int HarmonicIndex(int l, int m)
 {
   return l * l + l + m;
 }
 
-/// The values of all functions of 1 to 8 bands in the unit direction (x, y, z): bands * bands of
-/// them.
+/// The values of all functions of 1 to 8 bands in the unit direction (x, y, z): bands * bands
+/// numbers.
 template <typename Real>
 SKYLINECORE_EXPORT void EvaluateHarmonics(int bands, Real x, Real y, Real z, Real* values);
 
-/// The coefficients of a function turned about the vertical by an angle (radians, clockwise seen
-/// from above, as azimuths count): what lay at azimuth a lies at a + angle. 1 to 8 bands; in and out
-/// may be the same.
+/// The coefficients of a function that is rotated about the vertical by an angle (radians,
+/// clockwise seen from above, as azimuths are counted): the value at azimuth a moves to a + angle.
+/// 1 to 8 bands. `in` and `out` may be the same.
 template <typename Real>
 SKYLINECORE_EXPORT void RotateAboutVertical(
   int bands, double angleClockwise, const Real* in, Real* out);
 
-/// The coefficients of a function around the vertical when its axis is turned to the unit direction
-/// (x, y, z): sqrt(4 pi / (2 l + 1)) zonal_l Y_l,m(x, y, z). zonal: the `bands` coefficients of m =
-/// 0; out: bands * bands. 1 to 8 bands. Sloan 2008, "Stupid Spherical Harmonics Tricks", rotation of
-/// zonal harmonics.
+/// The coefficients of a zonal function (symmetric about the vertical) whose axis is rotated to the
+/// unit direction (x, y, z): sqrt(4 pi / (2 l + 1)) zonal_l Y_l,m(x, y, z). zonal: the `bands`
+/// coefficients of m = 0; out: bands * bands coefficients. 1 to 8 bands. Sloan 2008, "Stupid
+/// Spherical Harmonics Tricks", rotation of zonal harmonics.
 template <typename Real>
 SKYLINECORE_EXPORT void RotateZonal(
   int bands, const Real* zonal, Real x, Real y, Real z, Real* out);
 
-/// The coefficient of Y_l,0 of max(0, z), any l >= 0. Its convolution with radiance is irradiance:
-/// E(n) = sum of A_l L_l,m Y_l,m(n) with A_l = sqrt(4 pi / (2 l + 1)) times this (pi, 2 pi / 3,
-/// pi / 4, 0, ...). Ramamoorthi & Hanrahan 2001, equations 7 and 8.
+/// The coefficient of Y_l,0 of max(0, z), for any l >= 0. The convolution of this function with
+/// radiance is irradiance: E(n) = sum of A_l L_l,m Y_l,m(n), where A_l is sqrt(4 pi / (2 l + 1))
+/// times this coefficient (pi, 2 pi / 3, pi / 4, 0, ...). Ramamoorthi & Hanrahan 2001, equations 7
+/// and 8.
 SKYLINECORE_EXPORT double ClampedCosineZonal(int l);
 
 /// The coefficient of Y_l,0 of the function that is 1 above the horizontal plane and 0 below.
 SKYLINECORE_EXPORT double HemisphereZonal(int l);
 
-/// The coefficient of Y_l,0 of the function that is 1 on the cap around the zenith whose rim has the
-/// given cosine of its angular radius, -1 (the sphere) to 1 (nothing), and 0 elsewhere.
+/// The coefficient of Y_l,0 of the function that is 1 on a cap around the zenith and 0 elsewhere.
+/// cosRadius: cosine of the angular radius of the cap, -1 (the whole sphere) to 1 (empty).
 SKYLINECORE_EXPORT double CapZonal(int l, double cosRadius);
 
 } // namespace skyline

@@ -10,14 +10,15 @@
 namespace skyline
 {
 
-/// Mean over a swath of the azimuthal factors of order m: cos(m p) and sin(m p), where the angle p is
-/// counted from east to north, p = 90 degrees - azimuth.
+/// Means over a swath of the azimuthal factors of order m: cos(m p) and sin(m p), where the angle p
+/// is counted from east to north, p = 90 degrees - azimuth.
 struct SwathMean
 {
   double Cosine, Sine;
 };
 
-/// The mean over the swath about `azimuth` (radians clockwise from north) that is `width` radians wide.
+/// The means over the swath with the centre `azimuth` (radians clockwise from north) and `width`
+/// (radians).
 inline SwathMean MeanOverSwath(int m, double azimuth, double width)
 {
   const double angle = m * (0.5 * Pi - azimuth);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In an azimuth a, a plane with the gradient (x, y) rises by r = x sin a + y cos a, has the normal
-// nz (-x, -y, 1), and a direction of elevation e meets it with the cosine nz (sin e - r cos e),
-// positive above the slope r. So with L the integrals up to max(h, r, 0) (ElevationIntegral.h)
+// In an azimuth a, a plane with the gradient (x, y) has the slope r = x sin a + y cos a and the
+// normal nz (-x, -y, 1). A direction of elevation e meets it with the cosine nz (sin e - r cos e),
+// which is positive above the slope r. With L for the integrals up to max(h, r, 0)
+// (ElevationIntegral.h),
 //
 //   lost transfer = nz Sum over azimuths  w [L_upward - (x <sin a> + y <cos a>) L_forward]
 //
-// where w and w <..> are the factor of the azimuth, and its product with sin a or cos a, integrated
-// over the swath. The order 0 takes r at the middle of the swath: the irradiance of a uniform sky then
-// is pi times SkyAccumulator's SkyViewFactor.
+// where w is the azimuthal factor integrated over the swath, and w <..> is that of its product with
+// sin a or cos a. Order 0 takes r at the centre of the swath. The irradiance of a uniform sky is
+// then pi times the SkyViewFactor of SkyAccumulator.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Harmonics/VisibilityAccumulator.cxx"
 #include "hwy/foreach_target.h"
@@ -28,10 +29,10 @@
 namespace skyline
 {
 
-/// Posts of a row whose coefficients lie together, coefficient by coefficient.
+/// Posts of a row whose coefficients are stored together, coefficient by coefficient.
 constexpr std::ptrdiff_t WedgeBlock = 16;
 
-/// Up to 16 posts of a block and what they read.
+/// Up to 16 posts of a block and their input.
 struct WedgePosts
 {
   const float* Slopes[WedgeGroup];
@@ -52,13 +53,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<float, 16>;
 using V = hn::Vec<Tag>;
 
-/// A value for each azimuth of a group.
+/// One value for each azimuth of a group.
 struct Group
 {
   V Of[WedgeGroup];
 };
 
-/// What the integrals are made of.
+/// The values from which the integrals are computed.
 struct GroupTerms
 {
   Group Sine, Square, SineCosine, Cosine, Angle;
@@ -75,7 +76,7 @@ struct GroupTerms
   }
 };
 
-/// One integral in all azimuths of the group; Horner's four chains run side by side.
+/// One integral in all azimuths of the group. The four Horner schemes are evaluated in parallel.
 HWY_INLINE Group LostOf(const WedgeIntegral& integral, const GroupTerms& terms)
 {
   const Tag d;
@@ -130,7 +131,7 @@ HWY_INLINE void AddTo(bool first, float* sums, V value)
   hn::StoreU(first ? value : hn::Add(hn::LoadU(d, sums), value), d, sums);
 }
 
-/// The part of a forward integral's weight that depends on the post.
+/// The part of the weight of a forward integral that depends on the post.
 HWY_INLINE V WeightAlong(V east, V north, float eastWeight, float northWeight)
 {
   const Tag d;
@@ -201,7 +202,7 @@ HWY_INLINE void SumTransfer(
   }
 }
 
-/// Sixteen posts; not inlined, so that a post's bits do not depend on its place.
+/// Adds to sixteen posts. Not inlined, so that the bits of a post do not depend on its position.
 template <bool Transfer>
 HWY_NOINLINE void SumBlock(const WedgePass& pass, const WedgePosts& posts)
 {
@@ -303,7 +304,8 @@ std::vector<WedgeIntegral> InFloats(const std::vector<ElevationIntegral>& exact)
     }
     if (to.Kind == ElevationKind::Cosine)
     {
-      // Level ground loses exactly nothing: the sum that the vector code makes of p there.
+      // Makes the loss of level ground exactly 0: this is the sum that the vector code computes for
+      // p.
       to.Constant = -to.Polynomial[0];
     }
     integrals.push_back(to);
@@ -316,7 +318,7 @@ std::vector<WedgeIntegral> InFloats(const std::vector<ElevationIntegral>& exact)
 WedgeWeights<double> WeightsOfSwath(int bands, double azimuth, double width)
 {
   WedgeWeights<double> weights{};
-  // sin a = cos p and cos a = sin p, so the products are of orders m - 1 and m + 1.
+  // sin a = cos p and cos a = sin p, so that the products have the orders m - 1 and m + 1.
   for (int m = 0; m < bands; ++m)
   {
     const SwathMean here = MeanOverSwath(m, azimuth, width);
@@ -368,11 +370,11 @@ void VisibilityAccumulator::Begin(double azimuth, double width)
   if (this->Waiting == WedgeGroup)
   {
     this->Waiting = 0;
-    this->Pass.First = false; // the group before has been summed
+    this->Pass.First = false; // the previous group has been added
   }
   if (this->Waiting == 0)
   {
-    // An azimuth that never comes weighs nothing.
+    // A missing azimuth of the group has no weight.
     std::fill_n(this->Pass.Weights, WedgeGroup, WedgeWeights<float>());
   }
   const WedgeWeights<double> weights = WeightsOfSwath(this->Buffers.Bands, azimuth, width);
@@ -422,7 +424,7 @@ void VisibilityAccumulator::Add(
     this->Slopes.begin() + this->Waiting * posts + row * this->Buffers.Columns + column);
 }
 
-/// Sums a whole group; slopes: of its last azimuth, null if that never came.
+/// Adds a whole group. slopes: of its last azimuth; null if the group has no last azimuth.
 void VisibilityAccumulator::Sum(
   std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count, const float* slopes)
 {
@@ -459,7 +461,7 @@ void VisibilityAccumulator::Sum(
       begin = end;
       continue;
     }
-    // Other posts of the block may belong to another thread: copies, there and back.
+    // Copies are needed, because other posts of the block may belong to another thread.
     alignas(64) float inputs[WedgeGroup + 2][WedgeBlock] = {};
     alignas(64) float copies[HarmonicCount(MaxHarmonicBands) * WedgeBlock];
     const std::ptrdiff_t size = end - begin;
@@ -515,7 +517,8 @@ void VisibilityAccumulator::Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEn
   }
 }
 
-/// From what is lost, coefficient by coefficient, to what is left, post by post.
+/// Converts what is lost to what is left, and the order from coefficient by coefficient to post by
+/// post.
 void VisibilityAccumulator::FinishBlock(
   std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t posts) const
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a post sees of the sky as spherical harmonics, summed azimuth by azimuth: Snyder &
+// Visibility and transfer as spherical harmonics, summed azimuth by azimuth: Snyder &
 // Nowrouzezahrai 2008 (SN08), section 5, without tables.
 #ifndef skyline_VisibilityAccumulator_h
 #define skyline_VisibilityAccumulator_h
@@ -15,29 +15,29 @@
 namespace skyline
 {
 
-/// What counts as sky where no horizon hides it.
+/// Which part of the sphere counts as sky if no horizon hides it.
 enum class SkyPart
 {
-  Upper, ///< above max(horizon, 0): skies and environments
-  Sphere ///< above the horizon, however low: lamps, and furnaces
+  Upper, ///< above max(horizon, 0): for skies and environments
+  Sphere ///< above the horizon, even below 0: for lamps, and furnace tests
 };
 
-/// The sums to make. A post's coefficients lie side by side, bands * bands of them, post (column, row)
-/// from Values[(row * Columns + column) * bands^2] on: tuples of a VTK array.
+/// Where the sums are stored. The bands * bands coefficients of post (column, row) lie side by side
+/// from Values[(row * Columns + column) * bands^2] on, as the tuples of a VTK array.
 struct HarmonicBuffers
 {
   std::ptrdiff_t Columns = 0, Rows = 0;
   int Bands = DefaultHarmonicBands; ///< 1 to 8
-  float* Values = nullptr;          ///< Columns * Rows * bands^2 floats; need not be set
+  float* Values = nullptr;          ///< Columns * Rows * bands^2 floats, not initialised
   SkyPart Sky = SkyPart::Upper;
 };
 
-/// The azimuths that wait until there are enough of them: every pass over the sums takes this many.
+/// Number of azimuths that are collected and then added in one pass over the sums.
 constexpr int WedgeGroup = 4;
 
-/// Weights of one azimuth's integrals in the coefficients of order m and -m: the factor of the
-/// azimuth averaged over the swath, times its width. East and North: likewise with the sine and the
-/// cosine of the azimuth in the mean.
+/// Weights of the integrals of one azimuth in the coefficients of orders m and -m: the mean
+/// azimuthal factor over the swath, times its width. East and North: the same with the factor
+/// multiplied by the sine or the cosine of the azimuth.
 template <typename Real>
 struct WedgeWeights
 {
@@ -46,10 +46,10 @@ struct WedgeWeights
   Real CosineNorth[MaxHarmonicBands], SineNorth[MaxHarmonicBands];
 };
 
-/// Those of a swath about `azimuth`, radians; width: of the swath.
+/// The weights for a swath around `azimuth`; azimuth and width in radians.
 SKYLINECORE_EXPORT WedgeWeights<double> WeightsOfSwath(int bands, double azimuth, double width);
 
-/// An integral as the vector code takes it.
+/// An integral in the form that the vector code needs.
 struct WedgeIntegral
 {
   ElevationKind Kind;
@@ -58,34 +58,35 @@ struct WedgeIntegral
   float Polynomial[ElevationIntegral::MaxTerms];
 };
 
-/// Everything that a pass over some posts reads.
+/// The input of a pass over some posts.
 struct WedgePass
 {
   int Bands;
   bool Upper, First;
   const WedgeIntegral* Visible;
-  const WedgeIntegral* Upward;  ///< null: the visibility alone
+  const WedgeIntegral* Upward;  ///< null: only the visibility is computed
   const WedgeIntegral* Forward; ///< likewise
   WedgeWeights<float> Weights[WedgeGroup];
   float SinAzimuth[WedgeGroup], CosAzimuth[WedgeGroup];
 };
 
-/// The sky above the horizon, a constant one over the swath of each azimuth, projected: a StepWedge
-/// an azimuth. With gradients: the same times the cosine at the post's plane and above that plane, so
-/// that irradiance is the dot product with the light's coefficients (SN08's transfer vector). There
-/// SN08 multiply two truncated series; here the product is integrated, and only the light is
-/// truncated.
+/// Projects the sky above the horizon, which is constant over the swath of each azimuth: one wedge
+/// per azimuth. With gradients, the sky is multiplied by the cosine of incidence on the plane at
+/// the post and limited to directions above that plane, so that irradiance is the dot product with
+/// the coefficients of the light (the transfer vector of SN08). SN08 multiply two truncated series
+/// for this; here the product is integrated exactly, and only the light is truncated.
 ///
-/// What is summed is what horizons take away, in floats; what is there without them is added in the
-/// end, so open level ground comes out exact for any number of azimuths. Until then 16 posts of a row
-/// share a block, coefficient by coefficient, which the vectors read from end to end; it lies where
-/// their tuples will. A group of azimuths waits in `WedgeGroup - 1` floats a post and is summed in one
-/// pass, for the sums are the traffic.
+/// The sums contain, in floats, what horizons hide; the unobstructed value is added at the end.
+/// Open level ground is therefore exact for any number of azimuths. Until the end, 16 posts of a
+/// row share a block, coefficient by coefficient, in the memory of their tuples, so that the vector
+/// code reads contiguous memory. The azimuths of a group are collected in `WedgeGroup - 1` floats
+/// per post and added in one pass, because reading and writing the sums takes most of the time.
 class SKYLINECORE_EXPORT VisibilityAccumulator : public Accumulator
 {
 public:
-  /// east, north: dz/dx and dz/dy of every post (Normals.h), which outlive the accumulator: transfer;
-  /// null: visibility. std::invalid_argument for bands out of range.
+  /// east, north: dz/dx and dz/dy of every post (Normals.h), which must outlive the accumulator:
+  /// computes the transfer. null: computes the visibility. Throws std::invalid_argument if the
+  /// number of bands is out of range.
   explicit VisibilityAccumulator(
     const HarmonicBuffers& buffers, const float* east = nullptr, const float* north = nullptr);
 
@@ -106,9 +107,9 @@ private:
   std::vector<WedgeIntegral> Integrals[3];
   WedgePass Pass{};
   int Waiting = -1;          ///< index of the current azimuth in its group
-  std::vector<float> Slopes; // [azimuth of the group][post], but for the last
-  /// Coefficients without any horizon: of the visibility, or of the transfer for the parts of the
-  /// normal up, east and north.
+  std::vector<float> Slopes; // [azimuth of the group][post], without the last azimuth
+  /// Coefficients without any horizon: of the visibility, or of the transfer for the upward, east
+  /// and north components of the normal.
   std::array<std::array<double, HarmonicCount(MaxHarmonicBands)>, 3> Whole{};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The height that floats count from.
+// The base height, above which heights are stored as floats.
 #ifndef skyline_BaseHeight_h
 #define skyline_BaseHeight_h
 
@@ -13,14 +13,15 @@
 namespace skyline
 {
 
-/// Metres of relief up to which halfway between lowest and highest is near enough to every post: floats
-/// then tell heights to 0.5 mm.
+/// Metres of relief up to which the base height may lie halfway between the lowest and the highest
+/// post. Floats then resolve heights to 0.5 mm.
 constexpr double PlainRelief = 1.0e4;
 
-/// Halfway between `lowest` and `highest`, the range of the finite heights; where they are further apart
-/// than PlainRelief, the median of a sample of the posts: a few posts of 1e20, whatever they stand for,
-/// leave the others their digits. height(i): metres of post i of `count`; not finite where it is missing.
-/// The same posts always give the same height.
+/// The base height for posts whose finite heights lie between `lowest` and `highest`: halfway
+/// between the two, or, if they are further apart than PlainRelief, the median of a sample of the
+/// posts. A few posts of 1e20, whatever they mean, then do not cost the other posts their digits.
+/// height(i): metres of post i of `count`; not finite if it is missing. The same posts always give
+/// the same base height.
 template <typename Height>
 double BaseHeight(std::ptrdiff_t count, double lowest, double highest, const Height& height)
 {
@@ -33,7 +34,7 @@ double BaseHeight(std::ptrdiff_t count, double lowest, double highest, const Hei
   }
   constexpr std::ptrdiff_t wanted = 1 << 16;
   const std::ptrdiff_t step =
-    std::max<std::ptrdiff_t>(1, count / wanted) | 1; // odd: across columns
+    std::max<std::ptrdiff_t>(1, count / wanted) | 1; // odd, so that samples lie in all columns
   std::vector<double> sample;
   for (std::ptrdiff_t i = 0; i < count; i += step)
   {

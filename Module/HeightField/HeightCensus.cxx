@@ -12,35 +12,41 @@ namespace skyline
 namespace
 {
 
-/// Metres between a height and the next one that no ground has: the greatest relief known of a solid
-/// body, Iapetus' ridge and Vesta's basin included, is about 20 km from foot to top.
+/// A gap in metres between a height and the next one that does not occur on any ground: the
+/// greatest known relief of a solid body, such as the ridge of Iapetus and the basin of Vesta, is
+/// about 20 km from foot to top.
 constexpr double FarApart = 20000.0;
 
-/// Metres of relief that no solid body has: Vesta, the greatest known, has 41 km.
+/// A relief in metres that no solid body has: Vesta, which has the greatest known, has 41 km.
 constexpr double NoRelief = 1.0e5;
 
-/// Metres, and part of the range of a varied terrain, between its foot and a pit that no terrain has
-/// without a slope between: programs mark missing posts by all kinds of low values.
+/// A gap, in metres and as a part of the range of a varied terrain, between the terrain and a lower
+/// value. No terrain has such a gap without a slope in between; but programs mark missing posts by
+/// various low values.
 constexpr double FarBelow = 1000.0;
 constexpr double FarBelowPart = 0.5;
 
-/// Part of all posts: a plain at the foot of cliffs has more.
+/// Largest share of all posts for which a low value is doubted. A plain at the foot of cliffs has
+/// more.
 constexpr double FewPosts = 0.1;
 
-/// Part of the rest's range by which a value of FillValue must lie apart.
+/// Least gap between a FillValue and the other heights, as a part of their range.
 constexpr double Apart = 0.1;
 constexpr double LeastApart = 10.0; ///< metres
 
-/// Metres by which a terrain must stay clear of 0: a cone on a plain is a terrain whose 0 is meant.
+/// Least distance in metres of a terrain from 0 if posts of 0 are doubted. If it is less, 0 is a
+/// real height, as on a plain with a cone.
 constexpr double ClearOfZero = 50.0;
 
-/// A few posts of 0 stand apart from a flat terrain that lies lower than that by so many of its ranges.
+/// A few posts of 0 are also doubted if a flat terrain lies further away than this multiple of its
+/// range.
 constexpr double TwiceRange = 2.0;
 
-/// A fill in the midst of heights: at least so many posts, and more than all its neighbours together.
+/// Least number of posts of a fill value inside the range of heights. It must also exceed the
+/// number of posts with similar heights.
 constexpr std::int64_t ManyPosts = 16;
 
-/// What is said of one raster at most: more than that is noise, and the first ones tell it.
+/// Largest number of warnings for one raster. More would not help the user.
 constexpr std::size_t MostDoubts = 3;
 
 /// 1e3, 1e4 and so on.
@@ -182,11 +188,12 @@ HeightCensus::Findings HeightCensus::Judge(
   };
   const std::string missing = OftenMissing;
 
-  // From both ends inwards, as long as the value there is doubtful and others are left.
+  // Judge from both ends inwards, as long as the value at an end is doubtful and others remain.
   std::size_t low = 0, high = 0;
   bool left = true;
   bool any = this->Count > 0;
-  bool fillsOnly = true; // first: what is left may then be seen not to be far apart
+  bool fillsOnly = true; // judged first, because the remaining values may then no longer be far
+                         // apart
   std::vector<double> doubted;
   const auto judge = [&](const End& end, std::size_t& first, double far, bool atLow)
   {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Heights that may stand for missing posts: counted as they pass, judged in the end.
+// Finds heights that may mark missing posts: counts heights while they are read and judges them at
+// the end.
 #ifndef skyline_HeightCensus_h
 #define skyline_HeightCensus_h
 
@@ -16,22 +17,22 @@
 namespace skyline
 {
 
-/// Remembers the lowest and the highest values of a raster with their numbers of posts. Rasters often
-/// mark posts without a height by a value such as -9999 and do not say so.
+/// Keeps the lowest and the highest values of a raster with their numbers of posts. Rasters often
+/// mark posts without a height by a value such as -9999 without declaring it.
 ///
-/// Judged doubtful is
-/// - a value that programs use for missing posts (FillValue) and that lies apart from the rest by a
-///   tenth of the rest's range, or stands at far more posts than its neighbours do;
-/// - any value that lies further from all others than any ground does (FarApart), or below all others
-///   of a varied terrain by 1000 m and half its range, at few posts;
-/// - 0, where the rest of a varied terrain lies at least 50 m and a tenth of its range away from it, or,
-///   for fewer than half the posts, 10 m and twice its range.
-/// Everything else is terrain: bathymetry that passes -9999, ground below sea level, a sea of 0 with a
-/// coast.
+/// These values are judged doubtful:
+/// - a value that programs use for missing posts (FillValue), if it lies apart from the rest by a
+/// tenth of the range of the rest, or if far more posts have it than have similar heights;
+/// - any value that lies further from all others than on any ground (FarApart), or that lies below
+/// a varied terrain by 1000 m and half the range of that terrain, at few posts;
+/// - 0, if the rest is a varied terrain that lies at least 50 m and a tenth of its range away from
+/// it, or, for fewer than half of the posts, 10 m and twice its range.
+/// Everything else counts as terrain: bathymetry below -9999, ground below sea level, a sea of 0
+/// with a coast.
 class SKYLINECORE_EXPORT HeightCensus
 {
 public:
-  /// Counts a height, finite, as the raster has it.
+  /// Counts a height, which must be finite, in the unit of the raster.
   void Add(double height)
   {
     ++this->Count;
@@ -44,22 +45,25 @@ public:
   struct Findings
   {
     std::vector<Doubt> Doubts;
-    double Lowest = 0.0, Highest = 0.0; ///< of the heights that are not doubted; raster's unit
-    bool Any = false;                   ///< there are such heights
+    double Lowest = 0.0, Highest = 0.0; ///< of the heights that are not doubted, in the unit of the
+                                        ///< raster
+    bool Any = false;                   ///< true if there are such heights
   };
 
-  /// subject: whose posts, "'dem.tif'". metres: in one unit of the values, not 0. single: the values are
-  /// 32-bit floats, which need fewer digits.
+  /// Returns what was found. subject: the raster in the messages, such as "'dem.tif'". metres:
+  /// metres per unit of the values, not 0. single: true if the values are 32-bit floats, which need
+  /// fewer digits.
   Findings Judge(const std::string& subject, double metres, bool single) const;
 
-  /// The shortest decimal number that reads as `value`, as a 32-bit float if `single`.
+  /// The shortest decimal number that is read as `value`, as a 32-bit float if `single`.
   static std::string Text(double value, bool single);
 
 private:
   static constexpr std::size_t Kept = 8; ///< distinct values at each end
   static constexpr double LeastWatched = 9990.0;
   static constexpr std::array<double, 4> Watched{ { -9999.0, -32768.0, -32767.0, -99999.0 } };
-  static constexpr double Near = 8.0; ///< values this near to a watched one are its neighbours
+  static constexpr double Near = 8.0; ///< values that differ from a watched one by at most this are
+                                      ///< similar
 
   struct Value
   {
@@ -67,18 +71,19 @@ private:
     std::int64_t Posts = 0;
   };
 
-  /// Up to Kept distinct values, best first.
+  /// Up to Kept distinct values, starting with the most extreme.
   struct End
   {
     std::array<Value, Kept> Values;
     std::size_t Size = 0;
-    bool Note(double height, bool low); // true if it is kept
+    bool Note(double height, bool low); // returns true if the height is kept
   };
 
   void Note(double height);
 
-  /// Why the value end.Values[first] is doubtful, given the next one and the one at the far end; empty if it
-  /// is not. fillsOnly: values that are merely far away are not looked at yet.
+  /// The reason why the value end.Values[first] is doubtful, given the next value and the one at
+  /// the opposite end; empty if it is not. fillsOnly: do not yet consider values that are only far
+  /// away.
   std::string WhyDoubtful(
     const End& end, std::size_t first, double far, bool atLow, bool fillsOnly, double metres) const;
 

@@ -63,7 +63,8 @@ HeightField::HeightField(const Grid& grid)
 
 bool HeightField::CellComplete(std::ptrdiff_t column, std::ptrdiff_t row) const
 {
-  // The margin is missing, so cells outside the data are incomplete without a test of their own.
+  // The margin is missing, so that cells outside the data are incomplete without a test of their
+  // own.
   const float* low = this->Rows.Line(row);
   const float* high = this->Rows.Line(row + 1);
   return std::min({ low[column], low[column + 1], high[column], high[column + 1] }) >
@@ -146,7 +147,7 @@ void HeightField::Transpose()
     return;
   }
   this->Columns = PaddedPlane(this->Lattice.Columns, this->Lattice.Rows);
-  constexpr std::ptrdiff_t tile = 16; // a cache line of floats
+  constexpr std::ptrdiff_t tile = 16; // one cache line of floats
   for (std::ptrdiff_t row = 0; row < this->Lattice.Rows; row += tile)
   {
     const std::ptrdiff_t rowEnd = std::min(row + tile, this->Lattice.Rows);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The posts as the horizon kernels read them: float, padded, in both orders.
+// The posts as the kernels read them: as padded floats, by rows and by columns.
 #ifndef skyline_HeightField_h
 #define skyline_HeightField_h
 
@@ -15,8 +15,8 @@
 namespace skyline
 {
 
-/// Heights line by line with a margin of missing posts around, so that a kernel may read a whole
-/// vector across the edge of the data and one line beyond its ends.
+/// Heights line by line with a margin of missing posts, so that a kernel may read whole vectors
+/// beyond the edge of the data and one line beyond the first and last lines.
 class PaddedPlane
 {
 public:
@@ -27,7 +27,7 @@ public:
   PaddedPlane(std::ptrdiff_t lines, std::ptrdiff_t lanes)
     : Lines(lines)
     , Lanes(lanes)
-    , Stride(((lanes + 2 * Margin + 15) / 16 | 1) * 16) // odd: lines spread over the cache's sets
+    , Stride(((lanes + 2 * Margin + 15) / 16 | 1) * 16) // odd: uses all sets of the cache
     , Values(static_cast<std::size_t>((lines + 2) * Stride), MissingHeight)
   {
   }
@@ -42,20 +42,21 @@ public:
   }
 
   std::ptrdiff_t Lines = 0;  ///< lines of posts
-  std::ptrdiff_t Lanes = 0;  ///< posts in a line
+  std::ptrdiff_t Lanes = 0;  ///< posts per line
   std::ptrdiff_t Stride = 0; ///< floats from a line to the next
 
 private:
   std::vector<float> Values;
 };
 
-/// Where a plane has missing posts: a byte for every run of lanes of a line, not 0 if one is missing.
+/// Marks where a plane has missing posts: one byte for each run of lanes of a line, not 0 if a post
+/// of the run is missing.
 struct MissingMap
 {
   static constexpr std::ptrdiff_t RunLanes = 32;
 
-  std::ptrdiff_t Lines = 0; ///< of posts; 0 if none of the field is missing
-  std::ptrdiff_t Runs = 0;  ///< in a line
+  std::ptrdiff_t Lines = 0; ///< lines of posts; 0 if no post of the field is missing
+  std::ptrdiff_t Runs = 0;  ///< runs per line
   std::vector<std::uint8_t> Missing;
 
   const std::uint8_t* Line(std::ptrdiff_t line) const
@@ -64,16 +65,19 @@ struct MissingMap
   }
 };
 
-/// The surface's posts. Heights are metres above Base(), which keeps the differences of heights of
-/// 1e7 m exact to the float's 24 bits of the relief, not of the height.
+/// The posts of the surface. Heights are stored as metres above a base height, so that the 24 bits
+/// of a float resolve the relief and not the height: with heights of 1e7 m, differences are still
+/// exact.
 class SKYLINECORE_EXPORT HeightField
 {
 public:
-  /// columns, rows: at least 2 each; spacings by HeightLimits.h; else std::invalid_argument.
+  /// grid: at least 2 columns and 2 rows, and spacings within the limits of HeightLimits.h; throws
+  /// std::invalid_argument otherwise.
   HeightField(const Grid& grid);
 
-  /// Copies rows [rowBegin, rowEnd) of posts less `base`; height(column, row) is a double, NaN or
-  /// infinite where missing, else within GreatestHeight. Disjoint ranges may be filled at once.
+  /// Copies the posts of rows [rowBegin, rowEnd), less `base`. height(column, row) returns a
+  /// double: NaN or infinite for a missing post, otherwise within GreatestHeight. Disjoint ranges
+  /// may be filled in parallel.
   template <typename Height>
   void Fill(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd, double base, const Height& height)
   {
@@ -88,10 +92,11 @@ public:
     }
   }
 
-  /// Finds the missing posts after the last Fill: call once, before any of the members below.
+  /// Finds the missing posts. Call it once, after the last Fill and before any of the functions
+  /// below.
   void Close();
 
-  /// Builds the transposed copy that azimuths near east and west read; does nothing the second time.
+  /// Makes the transposed copy that azimuths near east and west need; later calls do nothing.
   void Transpose();
 
   const Grid& Posts() const { return this->Lattice; }
@@ -99,25 +104,27 @@ public:
   bool AllMissing() const { return !this->Any; }
   float LargestHeight() const { return this->Largest; } ///< greatest |height - base|, metres
 
-  /// Posts that occlude, lines = rows of the image, and lines = columns.
+  /// The posts that occlude; lines are rows of the image (RowPlane) or columns (ColumnPlane).
   const PaddedPlane& RowPlane() const { return this->Rows; }
   const PaddedPlane& ColumnPlane() const { return this->Columns; }
 
-  /// Of the row plane, or after Transpose of the column plane; lonely posts count as missing.
+  /// The missing posts of the row plane or, after Transpose, of the column plane. Posts outside
+  /// every complete cell count as missing.
   const MissingMap& MissingPosts(bool columns) const
   {
     return columns ? this->MissingInColumns : this->MissingInRows;
   }
 
-  /// The heights of the receivers of a line (a row, or a column if `columns`): the plane's own line,
-  /// or `buffer` (as many floats as the line has posts) if the line holds posts that receive but,
-  /// outside every complete cell, do not occlude. Missing posts stay at MissingHeight.
+  /// The heights of the receivers of a line (a row, or a column if `columns`). This is the line of
+  /// the plane itself, or `buffer` (one float per post of the line) if the line has posts that
+  /// receive but do not occlude, because they lie outside every complete cell. Missing posts have
+  /// MissingHeight.
   const float* Receivers(bool columns, std::ptrdiff_t line, std::vector<float>& buffer) const;
 
 private:
   bool CellComplete(std::ptrdiff_t column, std::ptrdiff_t row) const;
 
-  struct LonelyPost // outside every complete cell: it carries no surface
+  struct LonelyPost // outside every complete cell, and therefore without surface
   {
     std::ptrdiff_t Line, Lane;
     float Height;
@@ -129,7 +136,7 @@ private:
   MissingMap MissingInRows, MissingInColumns;
   float Largest = 0.0f;
   bool Missing = false;
-  bool Any = false; ///< some post has a height
+  bool Any = false; ///< true if some post has a height
 };
 
 } // namespace skyline

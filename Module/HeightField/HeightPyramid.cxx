@@ -12,7 +12,7 @@ namespace skyline
 namespace
 {
 
-constexpr double LeastStep = 1.0; // below, bilinear samples would jump over posts
+constexpr double LeastStep = 1.0; // below this, bilinear samples would skip posts
 constexpr double GreatestStep = 16.0;
 
 std::vector<SplineTaps> TapsOf(double scale, std::ptrdiff_t posts, std::ptrdiff_t samples)
@@ -27,7 +27,7 @@ std::vector<SplineTaps> TapsOf(double scale, std::ptrdiff_t posts, std::ptrdiff_
 
 std::ptrdiff_t SamplesOf(std::ptrdiff_t posts, double scale)
 {
-  // 1e-9: the scale is a power of the rounded ratio.
+  // 1e-9 allows for rounding, because the scale is a power of the ratio.
   const double samples = std::ceil(static_cast<double>(posts) / scale - 1e-9);
   return std::max<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(samples));
 }
@@ -44,7 +44,7 @@ std::vector<PyramidSize> PyramidSizes(std::ptrdiff_t columns, std::ptrdiff_t row
   if (!(step >= LeastStep && step <= GreatestStep))
   {
     throw std::invalid_argument(
-      "the pyramid has " + std::to_string(step) + " levels an octave; give 1 to 16");
+      "the pyramid has " + std::to_string(step) + " levels per octave; give 1 to 16");
   }
   const int levels = PyramidLevels(std::max(columns, rows), step);
   std::vector<PyramidSize> sizes(static_cast<std::size_t>(levels));
@@ -137,7 +137,7 @@ HeightPyramid::HeightPyramid(const HeightField& field, double step)
   for (const PyramidLevel& level : this->Pyramid)
   {
     this->FirstRow.push_back(this->FirstRow.back() + level.Rows);
-    const bool last = &level == &finest; // read as it is
+    const bool last = &level == &finest; // read without smoothing
     this->Across.push_back(TapsOf(level.Scale, last ? 0 : grid.Columns, level.Columns));
     this->Along.push_back(TapsOf(level.Scale, last ? 0 : grid.Rows, level.Rows));
   }

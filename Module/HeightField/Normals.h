@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The receiver's plane: gradients of the heights at the posts.
+// The tilted surface at the posts: gradients of the heights.
 #ifndef skyline_Normals_h
 #define skyline_Normals_h
 
@@ -12,14 +12,14 @@
 namespace skyline
 {
 
-/// Heights where they lie: post (column, row) is Values[column * ColumnStride + row * RowStride].
-/// Calling it gives a height, so it stands wherever a callback does.
+/// Heights in an array: post (column, row) is Values[column * ColumnStride + row * RowStride]. It
+/// can be called like a function that returns a height.
 template <class Height>
 struct PostView
 {
   const Height* Values = nullptr;
   std::ptrdiff_t ColumnStride = 1; ///< elements from a column to the next
-  std::ptrdiff_t RowStride = 0;    ///< elements from a row to the next northward
+  std::ptrdiff_t RowStride = 0;    ///< elements from a row to the next one to the north
 
   Height operator()(std::ptrdiff_t column, std::ptrdiff_t row) const
   {
@@ -27,27 +27,27 @@ struct PostView
   }
 };
 
-/// Rise per metre along one axis, from the height of a post and of its neighbours before and after;
-/// a neighbour that is not finite is missing. Central difference, one-sided beside a missing
-/// neighbour, 0 between two.
+/// Rise per metre along one axis, from the height of a post and those of its neighbours before and
+/// after. A neighbour that is not finite is missing. Central difference; one-sided beside a missing
+/// neighbour; 0 between two missing ones.
 inline float AxisGradient(double before, double here, double after, double spacing)
 {
   const bool hasBefore = std::isfinite(before);
   const bool hasAfter = std::isfinite(after);
-  // The difference comes first, in double: millimetres on a height of 1e7 m keep their digits.
+  // The difference is taken first, in double, so that millimetres are kept at heights of 1e7 m.
   const double rise = (hasAfter ? after : here) - (hasBefore ? before : here);
   const int steps = static_cast<int>(hasBefore) + static_cast<int>(hasAfter);
   return steps == 0 ? 0.0f : static_cast<float>(rise / (steps * spacing));
 }
 
-/// Gradients of the posts of rows [rowBegin, rowEnd): dz/dx to east[row * columns + column], dz/dy
-/// likewise to north. The upward normal is (-dz/dx, -dz/dy, 1), not normalised. Central
-/// differences, one-sided at the edge and beside missing posts, 0 where neither neighbour exists,
-/// NaN at a missing post (NaN or infinite).
+/// Computes the gradients of the posts of rows [rowBegin, rowEnd): dz/dx goes to east[row * columns
+/// + column] and dz/dy to north likewise. The upward normal is (-dz/dx, -dz/dy, 1), not normalised.
+/// Gradients are central differences, one-sided at the edge and beside missing posts, 0 if both
+/// neighbours are missing, and NaN at a missing post (NaN or infinite).
 ///
-/// height(column, row): metres, of any arithmetic type; rows of posts beside the range are read
-/// too. spacingX, spacingY: metres between columns and between rows, one of each a row from the
-/// south; null: the grid's. Disjoint ranges may be filled by different threads.
+/// height(column, row): metres, of any arithmetic type; the rows beside the range are read too.
+/// spacingX, spacingY: metres between columns and between rows, one value of each per row from the
+/// south; null: the spacing of the grid. Different threads may process disjoint ranges.
 template <class HeightAt>
 void Gradients(const Grid& grid, const HeightAt& height, std::ptrdiff_t rowBegin,
   std::ptrdiff_t rowEnd, float* east, float* north, const double* spacingX = nullptr,

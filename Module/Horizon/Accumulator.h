@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What consumes horizons: fed azimuth by azimuth, so that no scene stores all of them.
+// Consumers of horizons. They receive the horizons azimuth by azimuth, so that these need not be
+// stored.
 #ifndef skyline_Accumulator_h
 #define skyline_Accumulator_h
 
@@ -10,24 +11,24 @@
 namespace skyline
 {
 
-/// A consumer of horizons. The driver calls Begin once for every azimuth (one thread), then Add for
-/// every post once, in runs along a row of posts (many threads, disjoint runs), and after the last
-/// azimuth Finish for every row once (many threads, disjoint rows).
+/// A consumer of horizons. For each azimuth, the driver calls Begin once (in one thread) and then
+/// Add once for each post, in runs along a row of posts (many threads, disjoint runs). After the
+/// last azimuth it calls Finish once for each row (many threads, disjoint rows).
 class SKYLINECORE_EXPORT Accumulator
 {
 public:
   virtual ~Accumulator() = default;
 
-  /// The next azimuth: radians clockwise from grid north, and the width of the swath it stands for
-  /// in radians (2 pi / N for N azimuths around).
+  /// Starts the next azimuth: radians clockwise from grid north, and the width in radians of the
+  /// swath that it stands for (2 pi / N for N azimuths around the circle).
   virtual void Begin(double azimuth, double width) = 0;
 
-  /// Slopes (tangents of the horizon elevation, NoTerrainSlope where no terrain lies) of the posts
-  /// (column .. column + count - 1, row) in the current azimuth.
+  /// Adds the slopes (tangents of the horizon elevation, NoTerrainSlope without terrain) of the
+  /// posts (column .. column + count - 1, row) in the current azimuth.
   virtual void Add(
     std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count, const float* slopes) = 0;
 
-  /// Turns the sums of the posts of rows [rowBegin, rowEnd) into results.
+  /// Converts the sums of the posts of rows [rowBegin, rowEnd) to results.
   virtual void Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd) = 0;
 };
 

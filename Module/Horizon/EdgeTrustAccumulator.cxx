@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A search tells of every post whether terrain lies beyond it in an azimuth. Whether it does beyond a
-// point at a distance, the post nearest to that point knows: so what an azimuth says of all posts is
-// kept, and counted while the next one is fed.
+// For each post, the search finds whether terrain lies beyond the post in an azimuth. Whether
+// terrain lies beyond a point at a distance follows from the result of the post nearest to that
+// point. Therefore the results of all posts in one azimuth are kept, and counted while the next
+// azimuth is added.
 #include "Horizon/EdgeTrustAccumulator.h"
 
 #include "Shared/Constants.h"
@@ -18,7 +19,7 @@ namespace
 constexpr std::uint8_t TerrainBeyond = 1;
 constexpr std::uint8_t TerrainHere = 2;
 
-/// Posts that a point may lie beyond the field's edge and count as on it.
+/// Tolerance, in posts, within which a point beyond the edge of the field counts as on the edge.
 constexpr double Rounding = 1e-6;
 
 } // namespace
@@ -51,7 +52,7 @@ void EdgeTrustAccumulator::Add(
   std::uint8_t* beyond = this->Now.Posts.data() + row * this->Field.Posts().Columns + column;
   for (std::ptrdiff_t i = 0; i < count; ++i)
   {
-    // Methods disagree about the horizon of a missing post; it is not asked.
+    // The slope of a missing post is not used, because it differs between methods.
     const bool here = heights[i] > 0.5f * MissingHeight;
     beyond[i] = static_cast<std::uint8_t>(
       here ? TerrainHere | (slopes[i] > NoTerrainSlope ? TerrainBeyond : 0) : 0);
@@ -68,7 +69,7 @@ void EdgeTrustAccumulator::Add(
   }
 }
 
-/// Adds what an azimuth tells of a run of posts.
+/// Counts the result of one azimuth for a run of posts.
 void EdgeTrustAccumulator::Count(
   const View& view, std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count) const
 {
@@ -85,7 +86,8 @@ void EdgeTrustAccumulator::Count(
   {
     return;
   }
-  // Which of the run's posts see the point within the field, and how far away its nearest post is.
+  // The posts of the run for which the point lies within the field, and the distance of the nearest
+  // post.
   const double begin = static_cast<double>(column) + right;
   const double first = std::max(0.0, std::ceil(-begin - Rounding));
   const double last =
@@ -108,8 +110,8 @@ void EdgeTrustAccumulator::Count(
   }
 }
 
-/// Whether terrain lies beyond the point (right, up) posts away, which is missing or the post itself: what
-/// the last post before it that is not missing sees.
+/// Whether terrain lies beyond the point (right, up) posts away, if the post there is missing or is
+/// the receiver itself. The answer is that of the last post before the point that is not missing.
 bool EdgeTrustAccumulator::LiesBeyond(
   const View& view, std::ptrdiff_t row, std::ptrdiff_t column, double right, double up) const
 {
@@ -137,7 +139,7 @@ void EdgeTrustAccumulator::Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd
   const std::ptrdiff_t columns = this->Field.Posts().Columns;
   for (std::ptrdiff_t row = rowBegin; row < rowEnd; ++row)
   {
-    this->Count(this->Now, row, 0, columns); // no azimuth came after the last
+    this->Count(this->Now, row, 0, columns); // the last azimuth has no next one
     for (std::ptrdiff_t post = row * columns; post < (row + 1) * columns; ++post)
     {
       this->Trust.Values[post * this->Trust.Stride] /= static_cast<float>(this->Azimuths);

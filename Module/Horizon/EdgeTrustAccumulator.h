@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much of the horizon around a post is known from data.
+// Edge trust: how much of the horizon around a post is known from data.
 #ifndef skyline_EdgeTrustAccumulator_h
 #define skyline_EdgeTrustAccumulator_h
 
@@ -14,16 +14,18 @@
 namespace skyline
 {
 
-/// The share of the azimuths, 0 to 1, in which the data reach at least a distance from the post: the
-/// post nearest to the point at that distance is one of the surface's, or terrain lies beyond it. Holes
-/// in between do not count. With distance 0: the azimuths in which any terrain lies.
+/// The share of azimuths, 0 to 1, in which the data reach to a distance from the post or further:
+/// the post nearest to the point at this distance is not missing, or terrain lies beyond it.
+/// Missing posts in between do not count. With distance 0, the share of azimuths in which there is
+/// any terrain.
 ///
-/// Memory: two bytes a post beside the result.
+/// Memory: two bytes per post beside the result.
 class SKYLINECORE_EXPORT EdgeTrustAccumulator : public Accumulator
 {
 public:
-  /// `distance`: metres, 0 or more. `rowSpacingX`, `rowSpacingY`: metres between columns and rows, one
-  /// a row; null: the field's own. The field and they must outlive the accumulator.
+  /// `distance`: metres, 0 or more. `rowSpacingX`, `rowSpacingY`: metres between columns and
+  /// between rows, one value per row; null: the spacing of the field. The arguments must outlive
+  /// the accumulator.
   EdgeTrustAccumulator(const HeightField& field, double distance, const PostBuffer& trust,
     const double* rowSpacingX = nullptr, const double* rowSpacingY = nullptr);
 
@@ -33,10 +35,11 @@ public:
   void Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd) override;
 
 private:
-  /// What an azimuth says of all posts, and metres from a post to the point at the distance.
+  /// The results of all posts in one azimuth, and the metres from a post to the point at the
+  /// distance.
   struct View
   {
-    std::vector<std::uint8_t> Posts; ///< bits
+    std::vector<std::uint8_t> Posts; ///< flags of each post
     double East = 0.0, North = 0.0;
   };
   void Count(
@@ -47,11 +50,11 @@ private:
 
   const HeightField& Field;
   double Distance;
-  PostBuffer Trust; ///< until Finish: azimuths counted
+  PostBuffer Trust; ///< before Finish: number of azimuths counted
   const double* RowSpacingX;
   const double* RowSpacingY;
-  View Now, Before; ///< of this azimuth and the one before
-  int Azimuths = 0; ///< begun
+  View Now, Before; ///< of the current azimuth and of the previous one
+  int Azimuths = 0; ///< number of azimuths begun
 };
 
 } // namespace skyline

@@ -10,11 +10,12 @@ namespace skyline
 
 namespace
 {
-// Slope of the tilted support.
+// Slope of the tilted support: T of SegmentBounds.
 constexpr double SupportSlope = 0.15;
 
-// Bounds that exceed a horizon by less than this part of the relief are the rounding of the float
-// heights themselves: 4 units in the last place. Keeps planes and lakes from being searched in full.
+// Bounds that exceed a horizon by less than this part of the relief are only a rounding error of
+// the float heights: 4 units in the last place. Without this, planes and lakes would be searched in
+// full.
 constexpr float RoundingPart = 4.0f * std::numeric_limits<float>::epsilon();
 
 } // namespace
@@ -66,7 +67,8 @@ void ExactState::Set(const RayFrame& frame, bool corners, double tolerance, floa
   this->LineBegin = this->LaneBegin = 0;
   this->LineEnd = frame.Lines;
   this->LaneEnd = frame.Lanes;
-  constexpr std::ptrdiff_t margin = 96; // the bounds' own margin and a vector read beyond it
+  constexpr std::ptrdiff_t margin = 96; // the margin of the bounds, and a vector that is read
+                                        // beyond it
   this->Bounds.Resize(frame.Lines, ((frame.Lanes + 2 * margin + 15) / 16 | 1) * 16, margin);
   this->Support = static_cast<float>(SupportSlope * frame.StepLength);
   this->SupportInverse = 1.0f / this->Support;
@@ -79,12 +81,14 @@ void ExactState::Set(const RayFrame& frame, bool corners, double tolerance, floa
   { return static_cast<std::ptrdiff_t>(std::ceil(frame.Slant * static_cast<double>(e))); };
   for (std::ptrdiff_t e = 0; e <= SegmentBounds::Lines; ++e)
   {
-    // A ray that enters by lane q in [0, 1) is at trail lane whole(e) or further(e), lead lane 1 on.
+    // A ray that enters at lane q in [0, 1) has its trail post at lane whole(e) or further(e), and
+    // its lead post one lane further.
     std::ptrdiff_t first = whole(e);
     std::ptrdiff_t last = further(e) + 1;
     if (corners)
     {
-      // Where a ray changes its column, the outer corners of both cells count too.
+      // Where a ray crosses from one column of cells to the next, the outer corners of both cells
+      // count too.
       first -= e > 0 && whole(e) > whole(e - 1) ? 1 : 0;
       last += e < SegmentBounds::Lines && further(e + 1) > further(e) ? 1 : 0;
     }
@@ -105,8 +109,9 @@ ExactState::LaneRange ExactState::LanesAt(std::ptrdiff_t near, std::ptrdiff_t li
   {
     return { first, first };
   }
-  // Receivers drift the least from the last line before the edge and the most from their first one.
-  // Blocks reach beyond the last receiver, and a group looks up its segments a lane aside.
+  // The drift is least for a receiver on the last line before the edge, and greatest for one on the
+  // first line. Blocks reach beyond the last receiver, and a group reads its segments one lane
+  // aside.
   constexpr std::ptrdiff_t aside = 4, block = 64 + aside;
   const std::ptrdiff_t least =
     this->Frame->DriftAfter(std::max<std::ptrdiff_t>(0, near - (this->LineEnd - 1)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arguments of HorizonMethod::Find as the vector code takes them.
+// The arguments of HorizonMethod::Find in the form that the vector code needs.
 #ifndef skyline_FindTask_h
 #define skyline_FindTask_h
 
@@ -36,10 +36,11 @@ struct FindTask
   std::ptrdiff_t LineBegin, LineEnd, LaneBegin, LaneEnd;
   float* Slopes;
   std::ptrdiff_t Stride;
-  std::vector<const float*> Receivers; ///< heights of the receivers, a pointer a line
+  std::vector<const float*> Receivers; ///< heights of the receivers, one pointer per line
 
 private:
-  std::vector<std::vector<float>> Buffers; // of the lines whose receivers differ from the posts
+  std::vector<std::vector<float>> Buffers; // for lines whose receivers differ from the posts that
+                                           // occlude
 };
 
 } // namespace skyline

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The exact horizon: every edge near the receiver, and beyond it only the segments of lines whose
-// convex bound says that they can raise the horizon of a receiver of the block.
+// The exact horizon: visits all edges near the receiver, and beyond them only those segments of
+// lines whose convex bound shows that they may raise the horizon of a receiver of the block.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Horizon/HorizonExact.cxx"
 #include "hwy/foreach_target.h"
@@ -77,7 +77,7 @@ void BuildBounds(ExactState& state, std::ptrdiff_t group)
       const double drift = frame.Slant * static_cast<double>(e);
       const std::ptrdiff_t whole = frame.DriftAfter(e);
       const std::ptrdiff_t further = whole + (drift > static_cast<double>(whole) ? 1 : 0);
-      // A lane whose reach leaves the bounds' own margin holds no data there.
+      // A lane whose reach leaves the margin of the bounds has no data there.
       const std::ptrdiff_t a = std::clamp(lane + frame.Drift * whole, laneBegin, laneEnd);
       const std::ptrdiff_t b = std::clamp(lane + frame.Drift * further, laneBegin, laneEnd);
       const Vector offset = hn::Set(tag, state.Support * static_cast<float>(e));
@@ -96,7 +96,7 @@ void BuildBounds(ExactState& state, std::ptrdiff_t group)
 
 // ---- search --------------------------------------------------------------------------------------
 
-/// What the tests of a block share: they change only when the horizon of a receiver rises.
+/// Values that the tests of a block share. They change only when the horizon of a receiver rises.
 struct BlockTest
 {
   HWY_INLINE BlockTest(const ExactState& state, const Block& heights)
@@ -105,7 +105,8 @@ struct BlockTest
   {
   }
 
-  /// best: metres per line so far. lines: length of what is tested.
+  /// best: greatest slopes so far, in metres per line. lines: number of lines that are tested at
+  /// once.
   HWY_INLINE void Update(const Block& best, float lines)
   {
     const Vector zero = hn::Zero(Lanes());
@@ -116,13 +117,14 @@ struct BlockTest
     this->Slope = Each([&](Vector g) { return hn::Add(g, tolerance); }, best);
     this->Blend =
       Each([&](Vector g) { return hn::Min(hn::Max(hn::Mul(g, inverse), zero), one); }, this->Slope);
-    // A slope below 0 would be passed under by up to the whole length.
+    // With a slope below 0, the line of sight may descend over the whole length.
     this->Threshold =
       Each([&](Vector g, Vector h) { return hn::MulAdd(hn::Min(g, zero), length, h); }, this->Slope,
         this->Heights);
   }
 
-  /// True if a receiver of the block may gain from what these bounds bound, `line` lines ahead.
+  /// Returns true if posts under these bounds, whose near edge is `line` lines ahead, may raise the
+  /// horizon of a receiver of the block.
   HWY_INLINE bool MayGain(const float* level, const float* tilted, float line, float sink) const
   {
     const Vector lines = hn::Set(Lanes(), line);
@@ -144,14 +146,14 @@ struct BlockTest
   Block Threshold = Same(0.0f);
 };
 
-/// The search for the horizons of one block of receivers on one line. Holed: walks beside missing
-/// posts go cell by cell, the others as if the field were whole.
+/// Searches the horizons of one block of receivers on one line. Holed: steps beside missing posts
+/// go cell by cell, the others as if no post were missing.
 template <Walk Kind, Body Shape, bool Holed>
 struct BlockSearch
 {
   static constexpr std::ptrdiff_t Lines = SegmentBounds::Lines;
   static constexpr std::ptrdiff_t PerGroup = SegmentBounds::PerGroup;
-  using Bits = std::uint64_t; // one a segment or group
+  using Bits = std::uint64_t; // one bit per segment or group
 
   HWY_INLINE BlockSearch(const ExactState& state, std::ptrdiff_t line, std::ptrdiff_t lane,
     std::ptrdiff_t last, const Block& heights)
@@ -166,7 +168,8 @@ struct BlockSearch
   {
   }
 
-  /// Every near edge, then the winners of the line before, then whatever else may gain.
+  /// Visits all near edges, then the segments that raised the horizon of the previous line, then
+  /// all others that may raise it.
   HWY_INLINE Block Run(SegmentHints& hints)
   {
     const std::ptrdiff_t first = (this->Line + ExactState::NearLines + Lines - 1) / Lines;
@@ -205,7 +208,7 @@ private:
     return static_cast<std::ptrdiff_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
   }
 
-  /// The best slopes after steps first .. last, whose lines begin in `segment`.
+  /// The greatest slopes after steps first .. last, whose lines begin in `segment`.
   HWY_INLINE Block WalkLines(std::ptrdiff_t segment, std::ptrdiff_t first, std::ptrdiff_t last)
   {
     const RayFrame& frame = *this->State.Frame;
@@ -233,7 +236,9 @@ private:
     return missing;
   }
 
-  /// The hints of an exact search nearly always win; with a tolerance they often gain too little.
+  /// Whether to visit a segment of the hints: always in an exact search, because hints nearly
+  /// always raise the horizon; with a tolerance only after a test, because the gain is often too
+  /// small.
   HWY_INLINE bool WorthWalking(std::ptrdiff_t hint)
   {
     if (!(this->State.TolerancePerLine > 0.0f))
@@ -263,7 +268,8 @@ private:
       this->State.Bounds.Tilted(segment) + at, static_cast<float>(from), this->State.SinkAt(from));
   }
 
-  /// Bits of the groups begin .. end (64 at most) that may gain; all tests first, then one branch.
+  /// Bits of the groups begin .. end (at most 64) that may raise the horizon. There is one branch
+  /// after all tests.
   HWY_INLINE Bits Groups(std::ptrdiff_t begin, std::ptrdiff_t end)
   {
     this->Test.Update(this->Best, static_cast<float>(Lines * PerGroup));
@@ -273,7 +279,7 @@ private:
       const std::ptrdiff_t from = group * PerGroup * Lines - this->Line;
       if (from <= 0)
       {
-        bits |= 1; // the receivers stand in it: its bounds do not count from its edge
+        bits |= 1; // the receivers lie in this group, so its bounds from its near edge do not apply
         continue;
       }
       const std::ptrdiff_t at = this->Lane + this->State.EntryLane(from);
@@ -293,7 +299,8 @@ private:
     {
       segments |= static_cast<Bits>(this->SegmentMayGain(segment)) << (segment - begin);
     }
-    // The bounds of a winner stay above its own horizon: once walked, it is done.
+    // The bounds of a visited segment stay above its own horizon, so the test would select it
+    // again.
     for (const std::int32_t hint : walked.Segments)
     {
       if (hint >= begin && hint <= end)
@@ -326,8 +333,9 @@ void FindLanes(const ExactState& state, const FindTask& task)
 {
   const std::ptrdiff_t width = BlockWidth();
   const RayFrame& frame = *state.Frame;
-  // Block by block, and lines against the rays inside: the posts ahead stay in the first cache, and
-  // the segments that won for the line just found usually win again.
+  // Block by block, and within a block in the direction against the rays. The posts ahead then stay
+  // in the first-level cache, and the segments that raised the horizon of one line usually raise
+  // that of the next.
   for (std::ptrdiff_t lane = task.LaneBegin; lane < task.LaneEnd; lane += width)
   {
     const std::ptrdiff_t leaves = frame.LastStep(lane, width);
@@ -397,7 +405,8 @@ void HorizonExact::SetAzimuth(const Grid& grid, double azimuth)
   this->Ray = std::make_unique<RayFrame>(this->Field, grid, azimuth, this->Settings.Sink);
   const bool corners =
     this->Ray->Against || this->Field.HasMissing() || this->Settings.Shape == Surface::Bilinear;
-  // One post far from all others leaves these their digits, so it does not make their rounding greater.
+  // One extreme post does not cost the others their digits, so it must not increase their rounding
+  // error.
   const float largest = std::min(this->Field.LargestHeight(), static_cast<float>(PlainRelief));
   this->State.Set(*this->Ray, corners, this->Settings.Tolerance, largest);
   this->State.Holes.Resize(this->Field.MissingPosts(this->Ray->Columns));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// State of the exact horizon: convex bounds over segments of lines. Design: Documentation/horizon.md.
+// State of the exact search: convex bounds over segments of lines. Documentation/horizon.md
+// explains it.
 #ifndef skyline_HorizonExact_h
 #define skyline_HorizonExact_h
 
@@ -13,15 +14,15 @@
 namespace skyline
 {
 
-/// For every segment of lines and every lane by which a ray can enter it, two supports of the posts
-/// that the ray can touch: the greatest height h, and the greatest h - T e, where e counts lines from
-/// the segment's near edge and T is the support slope. The greatest h - g e is convex in g, so the
-/// chord between both bounds it for g in 0 .. T; above T the second does; below 0 the first does
-/// with |g| x length added.
+/// Two supports of the posts that a ray can touch, for each segment of lines and each lane at which
+/// the ray can enter the segment: the greatest height h, and the greatest h - T e, where e is the
+/// number of lines from the near edge of the segment and T is the support slope. The greatest h - g
+/// e is convex in g, so that the chord between both supports bounds it for g in 0 .. T. Above T the
+/// second support bounds it. Below 0 the first support plus |g| x length does.
 struct SegmentBounds
 {
-  static constexpr std::ptrdiff_t Lines = 16;   ///< lines of a segment
-  static constexpr std::ptrdiff_t PerGroup = 8; ///< segments of a group, which has bounds too
+  static constexpr std::ptrdiff_t Lines = 16;   ///< lines per segment
+  static constexpr std::ptrdiff_t PerGroup = 8; ///< segments per group; groups have bounds too
 
   void Resize(std::ptrdiff_t lines, std::ptrdiff_t stride, std::ptrdiff_t margin);
 
@@ -55,24 +56,27 @@ private:
   std::vector<float> Values;
 };
 
-/// Lanes of posts, from a ray's entry lane, that rays of the lane can touch on a line of a segment.
+/// Range of lanes, relative to the entry lane, of the posts that rays can touch on a line of a
+/// segment.
 struct SegmentReach
 {
   std::ptrdiff_t First, Last;
 };
 
-/// Which segments hold missing posts, by runs of lanes; empty for a field without any.
+/// Marks the segments with missing posts, by runs of lanes. Empty if no post of the field is
+/// missing.
 class SegmentHoles
 {
 public:
   void Resize(const MissingMap& posts);
   bool Empty() const { return this->Missing.empty(); }
 
-  /// The flags of the segments of a group.
+  /// Sets the flags of the segments of a group.
   void Build(const RayFrame& frame, const MissingMap& posts, std::ptrdiff_t group);
 
-  /// True if a post may be missing in lanes begin .. end of the segment or on the line before it,
-  /// whose cells share the segment's first edges. Lanes outside the data hold none.
+  /// Returns true if a post may be missing in lanes begin .. end of the segment, or on the line
+  /// before it, whose cells share the first edges of the segment. Lanes outside the data have no
+  /// missing posts.
   bool Any(std::ptrdiff_t segment, std::ptrdiff_t begin, std::ptrdiff_t end) const
   {
     const std::uint8_t* runs = this->Missing.data() + segment * this->Runs;
@@ -91,7 +95,8 @@ private:
   std::vector<std::uint8_t> Missing;
 };
 
-/// The segments that won for a block of receivers, which the next line tries first.
+/// The segments that raised the horizon of a block of receivers. The search on the next line begins
+/// with them.
 struct SegmentHints
 {
   std::array<std::int32_t, 4> Segments{ { -1, -1, -1, -1 } };
@@ -101,28 +106,30 @@ struct SegmentHints
   }
 };
 
-/// Everything about an azimuth that the search reads.
+/// All values of an azimuth that the search reads.
 struct ExactState
 {
-  static constexpr std::ptrdiff_t NearLines = 16;   ///< lines walked without asking the bounds
-  static constexpr std::ptrdiff_t BoundMargin = 36; ///< lanes of bounds on either side of the data
+  static constexpr std::ptrdiff_t NearLines = 16;   ///< lines that are searched without testing
+                                                    ///< bounds
+  static constexpr std::ptrdiff_t BoundMargin = 36; ///< lanes of bounds on each side of the data
 
   void Set(const RayFrame& frame, bool corners, double tolerance, float largestHeight);
 
-  /// Lane by which the ray of a receiver enters the line `from` lines ahead, from its own lane.
+  /// Lane, relative to that of the receiver, at which its ray enters the line `from` lines ahead.
   std::ptrdiff_t EntryLane(std::ptrdiff_t from) const
   {
     const std::ptrdiff_t whole = this->Frame->DriftAfter(from);
     return this->Frame->Drift > 0 ? whole : -whole - 1;
   }
-  /// Metres that a post `from` lines ahead sinks.
+  /// Metres by which curvature and refraction lower a post `from` lines ahead.
   float SinkAt(std::ptrdiff_t from) const
   {
     return this->Frame->SinkPerLine2 * static_cast<float>(from) * static_cast<float>(from);
   }
 
-  /// Lanes of bounds that receivers ask for, on a segment or group whose near edge is line `near`.
-  /// Empty where all of them stand beyond it. `lines`: from there to the last line that the bounds hold.
+  /// Range of lanes of the bounds that the receivers need for a segment or group whose near edge is
+  /// line `near`. Empty if all receivers lie beyond that line. `lines`: number of lines that the
+  /// bounds cover.
   struct LaneRange
   {
     std::ptrdiff_t Begin, End;
@@ -130,13 +137,15 @@ struct ExactState
   LaneRange LanesAt(std::ptrdiff_t near, std::ptrdiff_t lines) const;
 
   const RayFrame* Frame = nullptr;
-  std::ptrdiff_t LineBegin = 0, LineEnd = 0, LaneBegin = 0, LaneEnd = 0; ///< the receivers
+  std::ptrdiff_t LineBegin = 0, LineEnd = 0, LaneBegin = 0, LaneEnd = 0; ///< range of the receivers
   SegmentBounds Bounds;
   SegmentHoles Holes;
   std::array<SegmentReach, SegmentBounds::Lines + 1> Reach{};
-  float Support = 0.0f, SupportInverse = 0.0f; ///< metres per line of the tilted support
+  float Support = 0.0f, SupportInverse = 0.0f; ///< metres per line: slope of the tilted support,
+                                               ///< and its inverse
   float TolerancePerLine = 0.0f;
-  float Rounding = 0.0f; ///< metres: a bound closer than this to the horizon is rounding
+  float Rounding = 0.0f; ///< metres: smaller differences between bound and horizon are rounding
+                         ///< errors
   float LinesPerMetre = 1.0f;
 };
 

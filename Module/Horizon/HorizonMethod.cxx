@@ -26,14 +26,14 @@ std::unique_ptr<HorizonMethod> MakeHorizonMethod(const HeightField& field,
       if (settings.Shape != Surface::Triangles)
       {
         throw std::invalid_argument(
-          "the sweep samples the posts bilinearly: it knows no other surface; use exact or fast");
+          "the sweep uses bilinear samples and takes no other surface; use exact or fast");
       }
       return std::make_unique<HorizonSweep>(field, chosen);
     case HorizonMethodKind::Pyramid:
       if (settings.Shape != Surface::Triangles)
       {
         throw std::invalid_argument(
-          "the pyramid smooths the posts: it knows no other surface; use exact or fast");
+          "the pyramid uses smoothed heights and takes no other surface; use exact or fast");
       }
       return std::make_unique<HorizonPyramid>(field, chosen, std::move(pyramid));
     case HorizonMethodKind::Fast:

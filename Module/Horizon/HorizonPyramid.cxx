@@ -19,7 +19,7 @@
 namespace skyline
 {
 
-/// Rows of a level, each with its weight: the other axis of the bicubic b-spline.
+/// Rows of a level with their weights, for the bicubic B-spline along the other axis.
 struct RowTaps
 {
   int Count = 0;
@@ -28,15 +28,15 @@ struct RowTaps
   float Weights[8] = {};
 };
 
-/// One level for a line of receivers.
+/// One level for one line of receivers.
 struct LevelTask
 {
   RowTaps Receiver, Caster;
-  float Near = 1.0f, Far = 0.0f;     // weights of the caster's two columns
-  std::ptrdiff_t Shift = 0;          // lanes to the first of them
+  float Near = 1.0f, Far = 0.0f;     // weights of the two columns of the caster
+  std::ptrdiff_t Shift = 0;          // lanes to the first of these columns
   std::ptrdiff_t Begin = 0, End = 0; // lanes whose caster lies in the data
   float InverseDistance = 1.0f;      // 1 / m
-  float Sink = 0.0f;                 // of the caster as a slope
+  float Sink = 0.0f;                 // lowering of the caster by curvature, as a slope
 };
 
 } // namespace skyline
@@ -51,11 +51,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<float, 16>;
 using V = hn::Vec<Tag>;
 
-// A sample counts as terrain if half of it is; a receiver's own place if anything is.
+// A caster counts as terrain if half of its sample is covered; a receiver if any part is.
 constexpr float CasterCoverage = 0.5f;
 constexpr float ReceiverCoverage = 1.0e-6f;
 
-// Vectors side by side: what is the same for all lanes is loaded once for so many.
+// Vectors that are computed together, so that values common to all lanes are loaded once for all of
+// them.
 constexpr std::ptrdiff_t Side = 4;
 
 template <std::ptrdiff_t Count>
@@ -64,7 +65,7 @@ struct Vectors
   V Of[Count];
 };
 
-/// Sums over the rows of taps, from a lane on.
+/// Sums over the rows of taps, starting at a lane.
 template <std::ptrdiff_t Count>
 HWY_INLINE Vectors<Count> SumAt(const RowTaps& taps, const float* const* rows, std::ptrdiff_t lane)
 {
@@ -87,7 +88,7 @@ HWY_INLINE Vectors<Count> SumAt(const RowTaps& taps, const float* const* rows, s
   return sums;
 }
 
-/// The same between two columns.
+/// The same, interpolated between two columns.
 HWY_INLINE Vectors<Side> SumBetween(
   const LevelTask& task, const float* const* rows, std::ptrdiff_t lane)
 {
@@ -108,7 +109,7 @@ HWY_INLINE Vectors<Side> SumBetween(
   return sums;
 }
 
-/// The lanes of a vector whose caster lies in the data.
+/// Sets the slope to 0 in those lanes of a vector whose caster lies outside the data.
 HWY_INLINE V KeepInside(const LevelTask& task, std::ptrdiff_t lane, V slope)
 {
   const Tag d;
@@ -122,7 +123,7 @@ HWY_INLINE V KeepInside(const LevelTask& task, std::ptrdiff_t lane, V slope)
   return hn::IfThenElseZero(inside, slope);
 }
 
-/// The derivative of one level (SN08, equation 2), 0 where it is below or reads no terrain.
+/// The derivative of one level (SN08, equation 2); 0 if it is negative or without terrain.
 template <bool Missing>
 HWY_INLINE Vectors<Side> SlopesOf(const LevelTask& task, std::ptrdiff_t lane)
 {
@@ -168,16 +169,16 @@ HWY_INLINE Vectors<Side> SlopesOf(const LevelTask& task, std::ptrdiff_t lane)
   return slopes;
 }
 
-/// The greatest value at and halfway between the knots of the cubic b-spline through a sequence of
-/// angles, its ends repeated (SN08, equations 4 and 5). Shift takes the next of them.
+/// The greatest value, at the knots and halfway between them, of the cubic B-spline through a
+/// sequence of angles whose ends are repeated (SN08, equations 4 and 5). Shift adds the next angle.
 struct SplineMaximum
 {
-  V First, Second, Third; // the last three of the sequence
+  V First, Second, Third; // the last three values of the sequence
   V Best;
 
   HWY_INLINE void Start(V value)
   {
-    this->First = this->Second = this->Third = value; // the first is there twice
+    this->First = this->Second = this->Third = value; // the first value is repeated
     this->Best = hn::Zero(Tag());
   }
   HWY_INLINE void Shift(V value, bool half)
@@ -251,7 +252,7 @@ HWY_INLINE Vectors<Side> GreatestHorizon(
   return best;
 }
 
-/// Slopes of lanes [begin, end) of a line, whole vectors of them.
+/// Computes the slopes of lanes [begin, end) of a line, in whole vectors.
 template <bool Missing, bool Spline>
 HWY_NOINLINE void FindLanes(const LevelTask* tasks, std::size_t levels, std::ptrdiff_t begin,
   std::ptrdiff_t end, float* slopes)
@@ -308,14 +309,15 @@ void AddTap(
   taps.Weights[tap] += weight;
 }
 
-/// Adds the taps of a row of posts, times a weight; a row that is there already takes it.
+/// Adds the taps of a row of posts, multiplied by a weight. If a row is already present, its weight
+/// grows.
 void AddRow(
   const HeightPyramid& pyramid, int level, std::ptrdiff_t row, double weight, RowTaps& taps)
 {
   const auto share = static_cast<float>(weight);
   if (level == pyramid.Levels() - 1)
   {
-    AddTap(pyramid, level, row, share, taps); // the field itself, not smoothed
+    AddTap(pyramid, level, row, share, taps); // unsmoothed heights of the field
     return;
   }
   const SplineTaps& spline = pyramid.RowTaps(level, row);
@@ -325,10 +327,10 @@ void AddRow(
   }
 }
 
-/// Lanes whose caster, `shift` posts away, lies in the data.
+/// Sets the range of lanes whose caster, `shift` posts away, lies in the data.
 void SetLanes(double shift, std::ptrdiff_t columns, LevelTask& task)
 {
-  constexpr double snap = 1.0e-9; // posts: what the offset is rounded to
+  constexpr double snap = 1.0e-9; // tolerance of the offset, in posts
   const double last = static_cast<double>(columns - 1);
   const double begin = std::max(0.0, std::ceil(-shift - snap));
   const double end = std::min(last, std::floor(last - shift + snap)) + 1.0;
@@ -344,7 +346,7 @@ LevelTask TaskOf(const HeightPyramid& pyramid, const PyramidReach& reach, double
   const double low = std::floor(there + 1.0e-9);
   if (low < 0.0 || there > static_cast<double>(rows - 1) + 1.0e-9)
   {
-    return task; // no lane at all
+    return task; // an empty range of lanes
   }
   SetLanes(reach.East, columns, task);
   if (task.Begin >= task.End)
@@ -381,7 +383,7 @@ void CheckPyramidSettings(const PyramidSettings& settings)
   if (!(settings.Distance > 0.0 && settings.Distance <= 64.0))
   {
     throw std::invalid_argument("the pyramid reads " + std::to_string(settings.Distance) +
-      " samples away; give more than 0, 64 at most");
+      " samples away; give more than 0 and at most 64");
   }
 }
 
@@ -429,7 +431,7 @@ HorizonPyramid::HorizonPyramid(const HeightField& field, const HorizonSettings& 
   , Rows(field.Posts().Rows)
 {
   CheckPyramidSettings(settings.Pyramid);
-  // Rows are lines in every azimuth: the frame of north.
+  // Lines are rows in every azimuth, as in the frame for north.
   this->Ray = std::make_unique<RayFrame>(field, field.Posts(), 0.0, settings.Sink);
 }
 

@@ -13,7 +13,7 @@ namespace
 
 struct Sample
 {
-  double Place, Height; // metres towards the azimuth, metres
+  double Place, Height; // metres towards the azimuth, and metres
 };
 
 double SlopeBetween(const Sample& from, const Sample& to)
@@ -21,7 +21,8 @@ double SlopeBetween(const Sample& from, const Sample& to)
   return (to.Height - from.Height) / (to.Place - from.Place);
 }
 
-// Bilinear height at fractional (column, row); false outside the data and in incomplete cells.
+// Computes the bilinear height at a fractional (column, row). Returns false outside the data and in
+// incomplete cells.
 bool HeightAt(const PaddedPlane& rows, double column, double row, double& height)
 {
   const double columnFloor = std::floor(column);
@@ -59,8 +60,9 @@ HorizonSweep::HorizonSweep(const HeightField& field, const HorizonSettings& sett
 void HorizonSweep::SetAzimuth(const Grid& grid, double azimuth)
 {
   this->Ray = std::make_unique<RayFrame>(this->Field, grid, azimuth, this->Settings.Sink);
-  // In posts, whatever their spacing: with a step of the shorter one, posts 1000 times as long as wide
-  // would make a million samples of each.
+  // The step is one post, whatever the spacing. A step of the shorter spacing would make a million
+  // samples per line on a grid whose posts are 1000 times as far apart along one axis as along the
+  // other.
   const PostsPerMetre ray = RayOfAzimuth(grid, azimuth);
   const double rate = std::hypot(ray.Columns, ray.Rows);
   this->Along = { ray.Columns / rate, ray.Rows / rate };
@@ -112,7 +114,7 @@ void HorizonSweep::Prepare(std::ptrdiff_t begin, std::ptrdiff_t end)
         slopes[index] = std::numeric_limits<float>::quiet_NaN();
         continue;
       }
-      // A parabola along the line bends the body without changing the order of slopes.
+      // Curvature adds a parabola along the line, which does not change the order of slopes.
       sample.Height -= sink * place * place;
       while (depth >= 2 &&
         SlopeBetween(sample, hull[depth - 1]) <= SlopeBetween(sample, hull[depth - 2]))
@@ -141,8 +143,8 @@ void HorizonSweep::Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd, std::p
       const double row = frame.Columns ? static_cast<double>(lane) : imageLine;
       const double s = column * this->Along.East + row * this->Along.North - this->AlongBegin;
       const double t = column * this->Along.North - row * this->Along.East - this->AcrossBegin;
-      // The four samples around the post; those outside the data, or with nothing beyond
-      // them, leave their weight to the others.
+      // The four samples around the post. If some lie outside the data, or have no terrain beyond
+      // them, the others share their weight.
       double sum = 0.0;
       double weights = 0.0;
       for (int corner = 0; corner < 4; ++corner)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The line sweeps of Timonen & Westerholm 2010 (TW10), sections 4 and 5, as published.
+// The line sweep of Timonen & Westerholm 2010 (TW10), sections 4 and 5, as published.
 #ifndef skyline_HorizonSweep_h
 #define skyline_HorizonSweep_h
 
@@ -11,9 +11,10 @@
 namespace skyline
 {
 
-/// The lattice of samples of an azimuth. In posts, that is columns and rows: sample 0 of line 0, and
-/// how far the next sample and the next line are. Metres: from the origin to sample 0 towards the
-/// azimuth, and between samples. sink as in HorizonSettings.
+/// The lattice of samples for one azimuth, in posts (columns and rows): the position of sample 0 of
+/// line 0 and the steps to the next sample and to the next line. In metres: the distance of sample
+/// 0 from the origin towards the azimuth, and the distance between samples. For the sink see
+/// HorizonSettings.
 struct SweepLines
 {
   std::ptrdiff_t Lines, Samples;
@@ -21,11 +22,11 @@ struct SweepLines
   double Begin, Step, Sink;
 };
 
-/// Parallel lines a post apart march over the field, sample it a post apart by bilinear filtering,
-/// and keep the convex hull of the samples passed: O(1) for a sample, whatever the terrain. The
-/// horizons found on the rotated lattice of samples are filtered back to the posts, and that
-/// resampling costs about a degree: kept for comparison, not for measurement. Missing posts and their
-/// cells neither occlude nor receive.
+/// Parallel lines, one post apart, run over the field. They take bilinear samples one post apart
+/// and keep the convex hull of the samples passed, at a cost of O(1) per sample on any terrain. The
+/// horizons at the samples of this rotated lattice are then interpolated at the posts, which costs
+/// about a degree of accuracy. The method is kept for comparison, not for measurement. Missing
+/// posts and their cells neither occlude nor receive.
 class SKYLINECORE_EXPORT HorizonSweep : public HorizonMethod
 {
 public:
@@ -38,7 +39,7 @@ public:
     std::ptrdiff_t laneEnd, float* slopes, std::ptrdiff_t stride) const override;
 
 protected:
-  /// The lattice of SetAzimuth's azimuth: for another processor that fills Slopes.
+  /// The lattice of the azimuth of SetAzimuth, for another processor that fills Slopes.
   SweepLines LinesOfSweep() const;
 
   std::vector<float> Slopes; // [line][sample], NaN outside the data
@@ -46,10 +47,10 @@ protected:
 private:
   const HeightField& Field;
   HorizonSettings Settings;
-  Direction Along{ 0, 1 }; // towards the azimuth, in posts; the lines lie side by side to its right
-  double Step = 1.0;       // metres between samples, which are a post apart
+  Direction Along{ 0, 1 }; // towards the azimuth, in posts; the next line lies to its right
+  double Step = 1.0;       // metres between samples, which are one post apart
   double AlongBegin = 0.0,
-         AcrossBegin = 0.0; // posts from post (0, 0) to the first sample and line
+         AcrossBegin = 0.0; // posts from post (0, 0) to the first sample and to the first line
   std::ptrdiff_t LineCount = 0, Samples = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where an accumulator's results go.
+// Memory for the results of an accumulator.
 #ifndef skyline_PostBuffer_h
 #define skyline_PostBuffer_h
 
@@ -8,12 +8,12 @@
 namespace skyline
 {
 
-/// A float for every post, owned by the caller: post (column, row) is
-/// Values[(row * columns + column) * Stride]. Without values the quantity is not computed.
+/// One float per post, owned by the caller: post (column, row) is Values[(row * columns + column) *
+/// Stride]. If Values is null, the quantity is not computed.
 struct PostBuffer
 {
   float* Values = nullptr;
-  std::ptrdiff_t Stride = 1; ///< floats from a post to the next, 1 or more
+  std::ptrdiff_t Stride = 1; ///< floats from one post to the next, 1 or more
 };
 
 } // namespace skyline

@@ -15,8 +15,8 @@ namespace
 {
 
 // With 36 binary digits after the point, the product with any line number below 2^16 is exact in
-// double, so that floor(slant * (a + b)) and floor(slant * a) + floor(slant * b) differ by 0 or 1
-// and never by rounding. The ray is off by at most 2^16 / 2^37 = 5e-7 of a lane.
+// double. Then floor(slant * (a + b)) and floor(slant * a) + floor(slant * b) differ by 0 or 1,
+// never because of rounding. The ray is off by at most 2^16 / 2^37 = 5e-7 of a lane.
 constexpr double SlantUnit = 1.0 / 68719476736.0; // 2^-36
 
 struct Weights
@@ -24,7 +24,7 @@ struct Weights
   float Near, Far, Sink;
 };
 
-// A crossing `t` of the way from line D - 1 to line D.
+// Weights for a crossing at the fraction `t` of the way from line D - 1 to line D.
 Weights Between(double t, double lineBefore, double sinkPerLine2)
 {
   const double distance = lineBefore + t;
@@ -36,10 +36,11 @@ Weights Between(double t, double lineBefore, double sinkPerLine2)
     static_cast<float>(sinkPerLine2 * distance) };
 }
 
-// An azimuth in degrees. A simple part of a degree keeps its digits, which radians round.
+// An azimuth in degrees. Simple fractions of a degree, which radians round, are restored.
 double MeantDegrees(double azimuth)
 {
-  constexpr double parts = 201600.0; // 2^7 3^2 5^2 7: of 360 degrees over 2^10, 3600 and the like
+  constexpr double parts = 201600.0; // 2^7 3^2 5^2 7: divides 360 degrees into 2^10, 3600 and
+                                     // similar numbers of parts
   constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
   const double degrees = azimuth * DegreesPerRadian;
   const double simple = std::nearbyint(degrees * parts) / parts;
@@ -54,8 +55,8 @@ Direction DirectionOfAzimuth(double azimuth)
   {
     throw std::invalid_argument("azimuth " + std::to_string(azimuth) + ": give finite radians");
   }
-  // Reduced to the nearest quarter turn first, a whole number of degrees: sine and cosine of 0 and 45
-  // degrees are then exact.
+  // First reduced to the nearest quarter turn, a whole number of degrees, so that sine and cosine
+  // are exact for 0 and 45 degrees.
   const double reduced = std::remainder(MeantDegrees(azimuth), 360.0);
   const double quarter = std::nearbyint(reduced / 90.0);
   const double rest = (reduced - 90.0 * quarter) * RadiansPerDegree;
@@ -180,7 +181,8 @@ std::ptrdiff_t RayFrame::LastStep(std::ptrdiff_t lane, std::ptrdiff_t width) con
   {
     return this->Lines - 1;
   }
-  return static_cast<std::ptrdiff_t>(std::ceil(steps)); // the step that leaves, at the latest
+  return static_cast<std::ptrdiff_t>(std::ceil(steps)); // the step in which the ray leaves the data
+                                                        // at the latest
 }
 
 } // namespace skyline

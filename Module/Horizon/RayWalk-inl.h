@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every edge that the rays of a vector of receivers meet, step by step: the exact inner loop.
-// Included once for each processor target by Highway's foreach_target; no include guard on purpose.
+// The inner loop of the exact search: visits all edges that the rays of a vector of receivers meet,
+// step by step. Highway's foreach_target includes this file once per processor target, so it has no
+// include guard.
 #if defined(skyline_RayWalk_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef skyline_RayWalk_inl_h
 #undef skyline_RayWalk_inl_h
@@ -20,7 +21,7 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Up to 16 receivers side by side in a line: one AVX-512 register.
+/// Up to 16 neighbouring receivers of a line: one AVX-512 register.
 using Lanes = hn::CappedTag<float, 16>;
 using Vector = hn::Vec<Lanes>;
 using Mask = hn::Mask<Lanes>;
@@ -30,8 +31,8 @@ HWY_INLINE std::ptrdiff_t VectorWidth()
   return static_cast<std::ptrdiff_t>(hn::Lanes(Lanes()));
 }
 
-/// A block of receivers: two vectors, so that the processor has a second chain of operations to work
-/// on while the first waits for its maximum. PaddedPlane::Margin holds a block and its reach.
+/// A block of receivers: two vectors, so that the processor can compute with one while the other
+/// waits for its maximum. PaddedPlane::Margin covers a block and its reach.
 struct Block
 {
   Vector First, Second;
@@ -46,7 +47,7 @@ HWY_INLINE std::ptrdiff_t BlockWidth()
   return 2 * VectorWidth();
 }
 
-/// f on the first vectors and on the second ones.
+/// Applies f to the first vectors and to the second vectors.
 template <typename Function, typename... Blocks>
 HWY_INLINE Block Each(const Function& f, const Blocks&... blocks)
 {
@@ -80,17 +81,17 @@ HWY_INLINE bool AnyGreater(const Block& a, const Block& b)
   return !hn::AllFalse(Lanes(), hn::Or(hn::Gt(a.First, b.First), hn::Gt(a.Second, b.Second)));
 }
 
-/// How the surface between the posts is walked.
+/// The kind of surface between the posts.
 enum class Walk
 {
   Along,   ///< triangles without missing posts, diagonals along the drift
   Against, ///< triangles without missing posts, diagonals against the drift
-  Holes,   ///< triangles, cells with a missing post carry no surface
+  Holes,   ///< triangles; cells with a missing post carry no surface
   Bilinear ///< bilinear patches, with or without missing posts
 };
 
-/// Whether posts sink with their distance. Loads bound the walk, and on a flat body there are two
-/// fewer a step to broadcast.
+/// Whether curvature lowers posts with their distance. Loads limit the speed of the search, and a
+/// flat body needs two fewer per step.
 enum class Body
 {
   Flat,
@@ -111,7 +112,7 @@ HWY_INLINE Block Edge(float weightA, const Block& a, float weightB, const Block&
   return Each([&](Vector x, Vector y) { return hn::MulAdd(wb, y, hn::MulSub(wa, x, s)); }, a, b);
 }
 
-/// `best` raised to an edge's slope where the cell is complete.
+/// `best`, raised to the slope of an edge if the cell is complete.
 HWY_INLINE Block EdgeOf(const BlockMask& complete, const Block& best, float weightA, const Block& a,
   float weightB, const Block& b, float sink)
 {
@@ -120,7 +121,8 @@ HWY_INLINE Block EdgeOf(const BlockMask& complete, const Block& best, float weig
     hn::IfThenElse(complete.Second, edge.Second, best.Second) };
 }
 
-/// Cells with all four posts. Heights here are less the receiver's: half of the sentinel tells.
+/// Cells with all four posts. Heights are relative to the receiver, so they are compared with half
+/// of MissingHeight.
 HWY_INLINE BlockMask Complete(const Block& a, const Block& b, const Block& c, const Block& d)
 {
   const Vector limit = hn::Set(Lanes(), 0.5f * MissingHeight);
@@ -128,16 +130,16 @@ HWY_INLINE BlockMask Complete(const Block& a, const Block& b, const Block& c, co
     hn::Gt(hn::Min(hn::Min(a.Second, b.Second), hn::Min(c.Second, d.Second)), limit) };
 }
 
-/// The greatest slope inside a complete bilinear patch, between the ray's entry at height `in` (less
-/// the receiver's), `lineIn` lines away, and its exit. With curvature `bend` (metres per line
-/// squared, the body's sink included) the slope at T lines is  a / T + b + bend T : its maximum
-/// inside is at T^2 = a / bend where both are negative.
+/// The greatest slope inside a complete bilinear patch, between the entry of the ray at height `in`
+/// (relative to the receiver), `lineIn` lines away, and its exit. With the curvature `bend` (metres
+/// per line squared, including the sink of the body), the slope at T lines is  a / T + b + bend T.
+/// Its maximum inside is at T^2 = a / bend if both are negative.
 HWY_INLINE Vector InsidePatch(Mask complete, Vector best, const RayFrame& frame, Vector in,
   double lineIn, Vector out, double lineOut, Vector twist)
 {
   if (!(lineOut > lineIn) || frame.Slant == 0.0)
   {
-    return best; // the ray only touches this cell, or follows its edge
+    return best; // the ray only touches this cell or follows its edge
   }
   const Lanes tag;
   const Vector t0 = hn::Set(tag, static_cast<float>(lineIn));
@@ -150,15 +152,16 @@ HWY_INLINE Vector InsidePatch(Mask complete, Vector best, const RayFrame& frame,
     hn::Mul(hn::Sub(high, low), hn::Set(tag, static_cast<float>(1.0 / (lineOut - lineIn))));
   if (lineIn == 0.0)
   {
-    // The patch that starts at the receiver: its slope there is the limit of the ray's.
+    // In the patch that starts at the receiver, the slope at the receiver is the limit of that of
+    // the ray.
     return hn::IfThenElse(complete, hn::Max(best, hn::NegMulAdd(bend, t1, rise)), best);
   }
   const Vector a = hn::MulAdd(bend, hn::Mul(t0, t1), hn::NegMulAdd(rise, t0, low));
   const auto peaked =
     hn::And(complete, hn::And(hn::Lt(bend, hn::Zero(tag)), hn::Lt(a, hn::Zero(tag))));
-  // From the entry, not as b - 2 sqrt(a bend): far from the receiver that difference loses digits.
-  // Where there is no maximum, -1 keeps 0 / 0 out of lanes that nobody reads; a maximum beyond the exit
-  // is at the exit, which keeps out overflows of missing heights over a bend of nearly 0.
+  // Computed from the entry, because b - 2 sqrt(a bend) loses digits far from the receiver. Without
+  // a maximum, the divisor -1 avoids 0 / 0 in unused lanes. A maximum beyond the exit is taken at
+  // the exit, which also avoids overflow with missing heights and a bend near 0.
   const Vector divisor = hn::IfThenElse(peaked, bend, hn::Set(tag, -1.0f));
   const Vector least = hn::Mul(divisor, hn::Mul(t1, t1));
   const Vector square = hn::Max(hn::Div(hn::Max(a, least), divisor), hn::Zero(tag));
@@ -176,7 +179,7 @@ HWY_INLINE Block InsidePatch(const BlockMask& complete, const Block& best, const
       complete.Second, best.Second, frame, in.Second, lineIn, out.Second, lineOut, twist.Second) };
 }
 
-/// The heights of the edges from a to b, `part` of the way.
+/// The heights on the edges from a to b, at the fraction `part` of the way.
 HWY_INLINE Block Mix(const Block& a, const Block& b, double part)
 {
   const Vector p = hn::Set(Lanes(), static_cast<float>(part));
@@ -184,7 +187,7 @@ HWY_INLINE Block Mix(const Block& a, const Block& b, double part)
 }
 
 /// Raises `best` (metres per line) to the greatest slope that the rays meet in steps first .. last.
-/// origin: post of the first receiver; heights: the receivers' own.
+/// origin: post of the first receiver; heights: those of the receivers.
 template <Walk Kind, Body Shape>
 HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT origin,
   const Block& heights, Block best, std::ptrdiff_t first, std::ptrdiff_t last)
@@ -199,7 +202,7 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
   const float* line = origin + first * frame.LineStride;
   if (Kind == Walk::Along && first == 1)
   {
-    // The diagonal of the first step starts at the receiver, which is no horizon.
+    // The diagonal of the first step starts at the receiver and is not part of the horizon.
     const RayStep& step = steps[1];
     before = line + step.Lane;
     trailBefore = Sub(Load(before), heights);
@@ -215,7 +218,8 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
     const float* post = line + step.Lane;
     const Block trail = Sub(Load(post), heights);
     const Block lead = Sub(Load(post + drift), heights);
-    // The edges of a step are joined first: only one maximum waits for the step before.
+    // The edges of a step are combined first, so that only one maximum depends on the previous
+    // step.
     if constexpr (Kind == Walk::Along)
     {
       const Block row = Edge<Shape>(step.RowTrail, trail, step.RowLead, lead, step.RowSink);
@@ -241,7 +245,8 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
     }
     else
     {
-      // Cell by cell: an edge between two cells is met from both, so it counts if either is complete.
+      // Cell by cell: an edge between two cells is visited from both, and counts if either cell is
+      // complete.
       const RayStep& entry = steps[d - 1];
       const bool mixed = Kind == Walk::Bilinear;
       if (step.Next == 0)
@@ -314,10 +319,11 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
   return best;
 }
 
-/// Every slope of terrain in metres per line lies above, every edge with a missing post below.
+/// A limit in metres per line: all slopes of terrain lie above it, and all edges with a missing
+/// post below.
 constexpr float NoEdge = -1.0e14f;
 
-/// Stores slopes per line as slopes.
+/// Converts slopes per line to slopes and stores them.
 HWY_INLINE void StoreSlopes(const Block& best, float linesPerMetre, float* slopes)
 {
   const Vector scale = hn::Set(Lanes(), linesPerMetre);
@@ -326,7 +332,8 @@ HWY_INLINE void StoreSlopes(const Block& best, float linesPerMetre, float* slope
   Store(Each(
           [&](Vector x)
           {
-            // Missing posts over spacings of micrometres would overflow, where nobody reads.
+            // Avoids overflow of missing posts with spacings of micrometres, in lanes that are not
+            // used.
             return hn::IfThenElse(hn::Lt(x, limit), none, hn::Mul(hn::Max(x, limit), scale));
           },
           best),

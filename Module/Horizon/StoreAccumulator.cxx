@@ -18,8 +18,8 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Degrees of slopes from 0 to count, a multiple of the vector; not inlined, so that whole vectors
-/// and tails go through the same instructions.
+/// Converts the slopes from 0 to count, a multiple of the vector length, to degrees. Not inlined,
+/// so that whole vectors and tails use the same instructions.
 HWY_NOINLINE void VectorsToDegrees(const float* slopes, std::ptrdiff_t count, float* degrees)
 {
   const hn::CappedTag<float, 16> d;
@@ -57,8 +57,8 @@ HWY_EXPORT(ToDegrees);
 
 namespace
 {
-// Posts whose azimuths lie together until Finish: 33 lines of the cache, and an odd number spreads the
-// azimuths over its sets when they are turned into tuples.
+// Number of posts whose azimuths are stored together until Finish: 33 cache lines. The odd number
+// spreads the azimuths over the sets of the cache when they are converted to tuples.
 constexpr std::ptrdiff_t Block = 528;
 } // namespace
 

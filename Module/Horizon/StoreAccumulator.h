@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keeps every horizon: the one consumer that needs memory for each azimuth.
+// Stores all horizons. This is the only accumulator that needs memory for each azimuth.
 #ifndef skyline_StoreAccumulator_h
 #define skyline_StoreAccumulator_h
 
@@ -11,17 +11,17 @@
 namespace skyline
 {
 
-/// Writes horizon elevations in degrees, greatest error 8e-6; -90 exactly where no terrain lies.
-/// Components side by side: until Finish, some hundred posts of a row share a block, azimuth by
-/// azimuth, where their tuples will lie. An azimuth then writes whole lines of the cache, and nothing
-/// is stored beside the result.
+/// Writes horizon elevations in degrees, with an error of at most 8e-6, and exactly -90 without
+/// terrain. If components lie side by side, some hundred posts of a row share a block until Finish,
+/// azimuth by azimuth, in the memory of their tuples. An azimuth then writes whole cache lines, and
+/// no other memory is needed.
 class SKYLINECORE_EXPORT StoreAccumulator : public Accumulator
 {
 public:
-  /// The k-th Begin's elevation of post (column, row) goes to
-  /// values[(row * columns + column) * postStride + k * azimuthStride]. VTK's components side by
-  /// side: postStride = number of azimuths, all of which must come, azimuthStride = 1. Bands of a
-  /// raster: postStride = 1, azimuthStride = columns * rows.
+  /// The elevation of the k-th call of Begin at post (column, row) is written to values[(row *
+  /// columns + column) * postStride + k * azimuthStride]. For components side by side, as in VTK:
+  /// postStride = number of azimuths, all of which must be added, and azimuthStride = 1. For bands
+  /// of a raster: postStride = 1, azimuthStride = columns * rows.
   StoreAccumulator(std::ptrdiff_t columns, float* values, std::ptrdiff_t postStride,
     std::ptrdiff_t azimuthStride = 1);
 
@@ -35,7 +35,7 @@ private:
   float* Values;
   std::ptrdiff_t PostStride;
   std::ptrdiff_t AzimuthStride;
-  std::ptrdiff_t Azimuth = -1; ///< index of the current one
+  std::ptrdiff_t Azimuth = -1; ///< index of the current azimuth
 };
 
 } // namespace skyline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A part of the circle of azimuths.
+// A range of azimuths.
 #ifndef skyline_Swath_h
 #define skyline_Swath_h
 
@@ -12,11 +12,12 @@
 namespace skyline
 {
 
-/// Azimuths from Azimuth - Width / 2 to Azimuth + Width / 2. Radians clockwise from grid north.
+/// The azimuths from Azimuth - Width / 2 to Azimuth + Width / 2, in radians clockwise from grid
+/// north.
 struct Swath
 {
   double Azimuth = 0.0;
-  double Width = 2.0 * Pi; ///< above 0, up to 2 pi, which is the circle
+  double Width = 2.0 * Pi; ///< above 0, at most 2 pi (the full circle)
 
   bool IsCircle() const { return this->Width >= 2.0 * Pi * (1.0 - 1.0e-12); }
   bool Holds(double azimuth) const
@@ -26,10 +27,11 @@ struct Swath
   }
 };
 
-/// The narrowest swath: less than this resolves nothing, and 0 would weigh nothing. 0.05 degrees.
+/// The narrowest swath, 0.05 degrees: a narrower one resolves nothing, and one of width 0 has no
+/// weight.
 constexpr double LeastSwath = 0.05 * RadiansPerDegree;
 
-/// The middles of `count` equal parts of a swath, each Width / count wide: azimuths for a
+/// The centres of `count` equal parts of a swath, each Width / count wide: azimuths for a
 /// VisibilityAccumulator.
 inline std::vector<double> AzimuthsOf(const Swath& swath, int count)
 {

@@ -15,7 +15,7 @@ void CheckLamp(const Lamp& lamp)
 {
   if (!std::isfinite(lamp.X) || !std::isfinite(lamp.Y) || !std::isfinite(lamp.Z))
   {
-    throw std::invalid_argument("lamp: its place must be finite");
+    throw std::invalid_argument("lamp: its position must be finite");
   }
   if (!(lamp.Radius >= 0.0) || !std::isfinite(lamp.Radius))
   {
@@ -48,7 +48,7 @@ double DiscIrradiance(const LampDisc& disc, double cosine)
   const double c = std::clamp(cosine, -1.0, 1.0);
   if (disc.Cosine < 0.0)
   {
-    // All directions but the disc opposite.
+    // All directions except those in the opposite disc.
     return Pi - DiscIrradiance({ disc.Sine, -disc.Cosine }, -c);
   }
   if (c >= disc.Sine)
@@ -60,7 +60,7 @@ double DiscIrradiance(const LampDisc& disc, double cosine)
     return 0.0;
   }
   // sin s sin t sqrt(1 - y^2) = sqrt(sin^2 s - cos^2 t), without a quotient that fails at s = 90
-  // degrees; acos y likewise by atan2.
+  // degrees; acos y is computed by atan2 for the same reason.
   const double edge = std::sqrt((disc.Sine - c) * (disc.Sine + c));
   const double angle = std::atan2(edge, -disc.Cosine * c);
   return std::max(

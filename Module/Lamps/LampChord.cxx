@@ -15,7 +15,8 @@ namespace
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
-/// What sums and differences of slices may leave of a chord that is all hidden.
+/// Rounding errors of sums and differences of light that may remain when a chord is completely
+/// hidden.
 constexpr double Nothing = 1.0e-12;
 
 } // namespace
@@ -43,8 +44,9 @@ bool LampChord::Set(
   {
     return false;
   }
-  // The tangents' directions, those of the centre turned by the disc's half angle either way, times
-  // the distance of the centre and of the tangent points: their slopes and places without angles.
+  // The directions of the tangents are that of the centre, rotated by half the angle of the disc to
+  // either side. Multiplied by the distances of the centre and of the tangent points, they give
+  // slopes and positions without angles.
   const double lowAlong = along * tangent + up * circle;
   const double lowUp = up * tangent - along * circle;
   const double highAlong = along * tangent - up * circle;
@@ -52,7 +54,7 @@ bool LampChord::Set(
   const bool hasLow = lowAlong > 0.0, hasHigh = highAlong > 0.0;
   if (!hasLow && !hasHigh)
   {
-    return false; // a chord is below 180 degrees: all of it lies behind the vertical
+    return false; // a chord is below 180 degrees, so all of it lies behind the vertical
   }
   this->Facing = facing;
   this->Along = along;
@@ -65,8 +67,8 @@ bool LampChord::Set(
   this->HighSlope = hasHigh ? highUp / highAlong : Infinite;
 
   this->Turn = std::max(0.0, along - circle);
-  // Where rounding leaves the disc both of its tangents though it touches the vertical, the slope is
-  // that of the vertical.
+  // If rounding leaves the disc both tangents although it touches the vertical, the slope is that
+  // of the vertical.
   this->TurnSlope = !hasLow ? -Infinite
     : !hasHigh              ? Infinite
     : this->Turn > 0.0      ? up / this->Turn
@@ -77,7 +79,8 @@ bool LampChord::Set(
   this->HighEnd = hasHigh ? std::max(this->Turn, toTangent * highAlong) : this->Turn;
   this->Last = std::max(this->LowEnd, this->HighEnd);
 
-  // What the receiver's own plane hides counts as hidden from the start: no walk asks about it.
+  // The part below the plane of the receiver counts as hidden from the start, so that walks need
+  // not test it.
   this->Near = this->LowTop = this->HighTop = FacingSlope(facing);
   this->Gone = 0.0;
   this->Place = 0.0;
@@ -109,7 +112,7 @@ double LampChord::Whole()
     this->Between(std::max(own, this->TurnSlope), Infinite);
 }
 
-/// A slope's elevation from the centre's, within the chord.
+/// The elevation of a slope relative to that of the centre, clamped to the chord.
 double LampChord::Offset(double slope) const
 {
   if (slope <= this->LowSlope)
@@ -131,7 +134,8 @@ double LampChord::Between(double low, double high) const
                     : 0.0;
 }
 
-/// The slope of the circle's point over the distance s, on its low (side -1) or high (1) half.
+/// The slope of the point of the circle at the distance s, on its low (side = -1) or high (side =
+/// 1) half.
 double LampChord::ArcSlope(double s, double side) const
 {
   const double off = s - this->Along;
@@ -146,7 +150,7 @@ void LampChord::Raise()
   this->Least = std::max(this->Least, this->Near);
 }
 
-/// Terrain at the post itself is in front of everything.
+/// Terrain at the post itself is in front of the whole lamp.
 void LampChord::Start(double slope)
 {
   this->Near = std::max(this->Near, slope);
@@ -186,7 +190,7 @@ void LampChord::Beyond(double s0, double z0, double s1, double z1)
   {
     return;
   }
-  // Where the piece meets the circle, as parts of its length.
+  // Where the piece intersects the circle, as fractions of its length.
   const double ds = s1 - s0, dz = z1 - z0, ps = s0 - this->Along, pz = z0 - this->Up;
   const double a = ds * ds + dz * dz, b = ds * ps + dz * pz;
   const double c = ps * ps + pz * pz - this->Circle * this->Circle;
@@ -231,7 +235,8 @@ void LampChord::HideLow(double s, double slope)
   }
 }
 
-/// A piece that does not cross the circle: it hides the high arc if it lies over it.
+/// A piece that does not intersect the circle hides a part of the high arc if it lies above the
+/// arc.
 void LampChord::HideHigh(double s0, double z0, double s1, double z1)
 {
   if (!(s0 < this->HighEnd))
@@ -258,7 +263,7 @@ double LampChord::Lit()
   const double clear = std::max(FacingSlope(this->Facing), this->LowSlope);
   if (this->Near <= clear && this->LowTop <= clear && this->Gone == 0.0)
   {
-    return whole; // nothing in the way, and no angle more
+    return whole; // nothing is hidden, and no further angle is needed
   }
   const double lit = this->Between(this->LowTop, this->TurnSlope) +
     this->Between(std::max(this->Near, this->TurnSlope), Infinite) - this->Gone;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One vertical half plane through a post, the lamp's circle in it, and the terrain in front of it.
+// A vertical half plane through a post, the circle of the lamp in this plane, and the terrain in
+// front of it.
 #ifndef skyline_LampChord_h
 #define skyline_LampChord_h
 
@@ -8,46 +9,51 @@
 namespace skyline
 {
 
-/// The receiver's plane along one azimuth: n.d = Up sin e + Along cos e at the elevation e.
+/// The plane of the receiver along one azimuth: n.d = Up sin e + Along cos e at the elevation e.
 struct LampFacing
 {
-  double Up = 1.0;    ///< of the unit normal
-  double Along = 0.0; ///< of the unit normal
+  double Up = 1.0;    ///< component of the unit normal
+  double Along = 0.0; ///< component of the unit normal
 };
 
-/// Integral of max(0, n.d) cos e de over elevations between centre + from and centre + to, all
-/// within -pi/2 .. pi/2. Radians; written in differences, which the smallest lamp keeps.
+/// Integral of max(0, n.d) cos e de over the elevations between centre + from and centre + to, all
+/// within -pi/2 .. pi/2. Radians. It is computed from differences, so that it is accurate for the
+/// smallest lamp.
 double FacingLight(const LampFacing& facing, double centre, double from, double to);
 
-/// The slope under which the receiver looks into its own plane.
+/// The slope of the plane of the receiver along the azimuth.
 inline double FacingSlope(const LampFacing& facing)
 {
   return -facing.Along / facing.Up;
 }
 
-/// A lamp's circle, distances s from the post along the azimuth and heights z above it, and what
-/// pieces of terrain leave visible of it: the visitor of a LampWalk.
+/// The circle of a lamp, in distances s from the post along the azimuth and heights z above the
+/// post, and the part of it that pieces of terrain leave visible. This is the visitor of a
+/// LampWalk.
 ///
-/// The side of the circle that faces the post runs from the low tangent to the high one. Its point
-/// nearest to the post's vertical (the turn) parts it in two arcs, on each of which the distance s
-/// changes one way. Terrain at the distance s and the slope m hides the rays up to m that pass s
-/// before they end on the circle: on the low arc those from the bottom up to the arc's point over s,
-/// on the high arc those between the arc's point over s and m. So what stays visible of the low arc
-/// is all above one slope, and of the high arc a sum of gaps.
+/// The side of the circle that faces the post runs from the low tangent to the high one. The point
+/// nearest to the vertical through the post (the turn) divides it into two arcs. Along each arc,
+/// the distance s changes in one direction. Terrain at the distance s with the slope m hides the
+/// rays with slopes up to m that pass s before they end on the circle. On the low arc, these are
+/// the rays from its bottom up to its point at distance s; on the high arc, those between its point
+/// at distance s and m. The visible part of the low arc therefore lies above one slope, and that of
+/// the high arc is a sum of gaps.
 class SKYLINECORE_EXPORT LampChord
 {
 public:
-  /// along, up: the circle's centre; circle: its radius; tangent: length of the tangents from the
-  /// post to it, above 0. False if the half plane sees nothing of it, or the receiver's plane hides
-  /// all. Costs no angle: those are found when light is asked for.
+  /// along, up: centre of the circle; circle: its radius; tangent: length of the tangents from the
+  /// post to the circle, above 0. Returns false if the circle lies outside the half plane or
+  /// entirely below the plane of the receiver. No angle is computed here: that is done only when
+  /// light is needed.
   bool Set(double along, double up, double circle, double tangent, const LampFacing& facing);
 
-  /// Whether nothing of the chord can be visible any more, and the distance of the terrain that did it.
+  /// Whether no part of the chord can be visible any more. NearPlace is the distance of the terrain
+  /// that hides it.
   bool Dark() const { return this->Near >= this->HighSlope; }
   double NearPlace() const { return this->Place; }
 
   double Whole(); ///< light of the chord without terrain
-  double Lit();   ///< light that the terrain of the walk lets through
+  double Lit();   ///< light that the visited terrain leaves
 
   double End() const { return this->Last; }
   double Fine() const { return this->Turn; }
@@ -69,18 +75,19 @@ private:
   double Along = 0.0, Up = 0.0, Circle = 0.0;
   double Tangent = 0.0;
   bool HasAngles = false;
-  double Centre = 0.0, SinCentre = 0.0, CosCentre = 1.0; ///< elevation of the circle's centre
+  double Centre = 0.0, SinCentre = 0.0, CosCentre = 1.0; ///< elevation of the centre of the circle
   double First = 0.0, Final = 0.0;        ///< ends of the chord, radians from the centre
-  double LowSlope = 0.0, HighSlope = 0.0; ///< the same as slopes
-  double TurnSlope = 0.0;                 ///< between the arcs
+  double LowSlope = 0.0, HighSlope = 0.0; ///< the same ends as slopes
+  double TurnSlope = 0.0;                 ///< slope at the turn, between the arcs
   double Turn = 0.0;                      ///< distance of the turn
-  double LowEnd = 0.0, HighEnd = 0.0;     ///< distances of the tangent points; arcs without: Turn
+  double LowEnd = 0.0, HighEnd = 0.0;     ///< distances of the tangent points; Turn if an arc is
+                                          ///< absent
   double Last = 0.0;
-  double Near = 0.0;    ///< slope of the terrain before the turn: hides both arcs
+  double Near = 0.0;    ///< slope of the terrain before the turn, which hides both arcs
   double Place = 0.0;   ///< distance of that terrain
   double LowTop = 0.0;  ///< slope below which the low arc is hidden
-  double HighTop = 0.0; ///< slope below which the gaps of the high arc are counted
-  double Gone = 0.0;    ///< light hidden of the high arc above Near
+  double HighTop = 0.0; ///< slope below which the gaps of the high arc are already counted
+  double Gone = 0.0;    ///< light of the high arc above Near that is hidden
   double Least = 0.0;
 };
 

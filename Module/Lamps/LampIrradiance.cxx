@@ -16,22 +16,23 @@ namespace skyline
 namespace
 {
 
-/// Bisections of the interval between two planes: a step of the shadow falls within 2^-6 of it.
+/// Largest number of bisections of the interval between two planes: a shadow edge is found within
+/// 2^-6 of it.
 constexpr int DeepestSplit = 6;
 
-/// Planes for a lamp that stands over or around the post, per plane of a lamp that does not.
+/// Factor on the number of planes for a lamp that stands above or around the post.
 constexpr int AroundFactor = 2;
 
-/// Sine of the half swath beyond which nobody asks whether the whole fan is clear.
+/// Sine of the half swath beyond which the test whether the whole fan is clear is skipped.
 constexpr double WidestFan = 0.99;
 
-/// What a plane gives, per unit of the variable that the planes are spaced evenly in.
+/// Light of a plane, per unit of the variable in which the planes are evenly spaced.
 struct PlaneLight
 {
   double Whole = 0.0, Lit = 0.0;
 };
 
-/// Where the surface is at the post, in an azimuth: light that starts at the post meets no more.
+/// Visitor that finds the slope of the surface at the post in an azimuth, and ends the walk there.
 struct StartSlope
 {
   double Slope = -std::numeric_limits<double>::infinity();
@@ -42,7 +43,7 @@ struct StartSlope
   bool Piece(double, double, double, double) const { return false; }
 };
 
-/// The planes to begin with: intervals of t from `begin` to -begin, an end with no light left out.
+/// The initial planes: intervals of t from `begin` to -begin. An end without light is left out.
 struct LampNodes
 {
   LampNodes(int intervals, double begin)
@@ -61,7 +62,7 @@ struct LampNodes
   std::vector<double> Cosine, Sine;
 };
 
-/// One lamp over one post: the sum over vertical planes.
+/// One lamp at one post: the sum over vertical planes.
 class LampView
 {
 public:
@@ -74,18 +75,19 @@ public:
   {
   }
 
-  /// The part, 0 to 1, of its unshadowed irradiance that a post gets. up, east, north: the unit
-  /// normal; x, y, z: from the post to the lamp.
+  /// The share, 0 to 1, of the unshadowed irradiance that a post receives. up, east, north: the
+  /// unit normal; x, y, z: from the post to the lamp.
   double LitPart(const LampReceiver& post, double x, double y, double z, double radius, double up,
     double east, double north);
 
 private:
-  /// A plane by its place among the planes: `Weight` azimuths a unit of it.
+  /// A plane. `Weight`: change of the azimuth per unit of the variable in which planes are evenly
+  /// spaced.
   struct Plane
   {
     LampAzimuth Azimuth;
-    double Cosine, Sine; ///< of the azimuth from that of the centre
-    double Circle;       ///< radius of the lamp's circle in it
+    double Cosine, Sine; ///< of the azimuth relative to that of the centre
+    double Circle;       ///< radius of the circle in which the plane cuts the lamp
     double Weight;
   };
   Plane PlaneAt(double cosine, double sine) const;
@@ -100,24 +102,25 @@ private:
   const LampSettings& Settings;
   LampWork& Work;
 
-  LampNodes Across, Around; ///< planes through a lamp beside the post, and over it
+  LampNodes Across, Around; ///< planes through a lamp beside the post, and above it
 
   LampReceiver Post{};
   double NormalUp = 1.0, NormalEast = 0.0, NormalNorth = 0.0;
   LampAzimuth Centre{ 0.0, 1.0 }; ///< azimuth of the lamp's centre
   double Level = 0.0, Rise = 0.0; ///< horizontal distance and height of the centre
   double Radius = 0.0;
-  double Power = 0.0;    ///< distance^2 - radius^2: below 0 inside
-  double Tangent = 0.0;  ///< root of it: length of the tangents
-  double SinSwath = 0.0; ///< sine of half the swath; 0: the lamp is seen in every azimuth
-  double Allowed = 0.0;  ///< error of an interval
-  double HiddenBefore = std::numeric_limits<double>::infinity(); ///< metres before the centre
+  double Power = 0.0;    ///< distance^2 - radius^2; below 0 inside the lamp
+  double Tangent = 0.0;  ///< its square root: length of the tangents
+  double SinSwath = 0.0; ///< sine of half the swath; 0: the lamp is seen in all azimuths
+  double Allowed = 0.0;  ///< largest error of an interval
+  double HiddenBefore = std::numeric_limits<double>::infinity(); ///< metres before the centre of
+                                                                 ///< the lamp
   PlaneLight Total;
 };
 
-/// Planes are spaced evenly in t. The distance of the centre from a plane is radius x sin t, which
-/// makes the round ends of the disc smooth, and the circle's radius that times cos t; for a lamp all
-/// around t is the azimuth. cosine, sine: of t.
+/// Planes are evenly spaced in t. The distance of the centre from a plane is radius x sin t, which
+/// makes the integrand smooth at the round ends of the disc, and the radius of the circle is radius
+/// x cos t. For a lamp around the post, t is the azimuth. cosine, sine: of t.
 LampView::Plane LampView::PlaneAt(double cosine, double sine) const
 {
   Plane plane{ {}, cosine, sine, this->Radius * cosine, 1.0 };
@@ -142,7 +145,8 @@ LampFacing LampView::FacingAt(const LampAzimuth& azimuth) const
   return { this->NormalUp, azimuth.East * this->NormalEast + azimuth.North * this->NormalNorth };
 }
 
-/// Holds the terrain of a plane against the lamp; false if it shows nothing of the lamp anyway.
+/// Compares the terrain in a plane with the lamp. Returns false if the plane shows no part of the
+/// lamp anyway.
 bool LampView::Walked(const Plane& plane, LampChord& chord)
 {
   if (!chord.Set(this->Level * plane.Cosine, this->Rise, plane.Circle, this->Tangent,
@@ -151,7 +155,7 @@ bool LampView::Walked(const Plane& plane, LampChord& chord)
     return false;
   }
   ++this->Work.Planes;
-  // What hid the plane before mostly hides this one.
+  // The terrain that hid the previous plane usually hides this one, too.
   const double guess = this->Level - this->HiddenBefore;
   if (guess > 0.0)
   {
@@ -168,7 +172,7 @@ bool LampView::Walked(const Plane& plane, LampChord& chord)
   return true;
 }
 
-/// Whether no plane lets light through: most posts that are not clear, found without an angle.
+/// Whether all planes are dark. This finds most of the shadowed posts without computing angles.
 bool LampView::AllDark(const LampNodes& nodes)
 {
   LampChord chord;
@@ -182,7 +186,7 @@ bool LampView::AllDark(const LampNodes& nodes)
   return true;
 }
 
-/// Light from everywhere but the disc opposite to the centre.
+/// Light from all directions except the disc opposite to the centre.
 PlaneLight LampView::Inside(const Plane& plane) const
 {
   const LampFacing facing = this->FacingAt(plane.Azimuth);
@@ -192,7 +196,7 @@ PlaneLight LampView::Inside(const Plane& plane) const
   double darkLow = 0.5 * Pi, darkHigh = 0.5 * Pi;
   if (left > 0.0)
   {
-    // Both in units of the radius: half the dark disc's chord, as ChordOfDisc finds it.
+    // Both in units of the radius: half the chord of the dark disc, as ChordOfDisc computes it.
     const double half = std::atan2(std::sqrt(left), std::sqrt(-this->Power));
     const double middle = std::atan2(-this->Rise, -this->Level * plane.Cosine);
     darkLow = std::clamp(middle - half, -0.5 * Pi, 0.5 * Pi);
@@ -238,7 +242,7 @@ void LampView::Sum(double t0, const PlaneLight& p0, double t1, const PlaneLight&
   }
   const double middle = 0.5 * (t0 + t1);
   const PlaneLight p = this->At(std::cos(middle), std::sin(middle));
-  // The trapezium's error, from that with half its width: a third of their difference remains.
+  // The error of the trapezium rule: a third of its difference from the rule with half the width.
   if (std::abs(p0.Lit - 2.0 * p.Lit + p1.Lit) * 0.25 * width <= this->Allowed)
   {
     this->Total.Whole += 0.25 * width * (p0.Whole + 2.0 * p.Whole + p1.Whole);
@@ -273,8 +277,8 @@ double LampView::LitPart(const LampReceiver& post, double x, double y, double z,
     // The lowest tangent lies in the plane of the centre.
     const double along = this->Level * this->Tangent + z * radius;
     const double end = std::min(this->Tangent, this->Level + radius);
-    // What lies under the receiver's plane is out of sight as well; the plane's own slope is least at
-    // the fan's rim, half a swath (at most 1.42 times its sine) from the middle.
+    // What lies under the plane of the receiver is not visible either. The slope of that plane is
+    // least at the rim of the fan, half a swath (at most 1.42 times its sine) from the middle.
     const double gradient = std::hypot(east, north) / up;
     const double own = FacingSlope(this->FacingAt(this->Centre)) - 1.42 * this->SinSwath * gradient;
     const double slope = std::max(own, (z * this->Tangent - this->Level * radius) / along);
@@ -292,7 +296,8 @@ double LampView::LitPart(const LampReceiver& post, double x, double y, double z,
   const double cosine = (up * z + east * x + north * y) / std::max(distance, 1e-300);
   this->Allowed = this->Settings.Tolerance / static_cast<double>(nodes.Intervals) *
     DiscIrradiance(DiscOfLamp(radius, distance), distance > 0.0 ? cosine : 1.0);
-  // At the ends of a swath the disc has no width; all around, the last plane is the first.
+  // At the ends of a swath the disc has no width. For a lamp around the post, the last plane is the
+  // first one.
   const PlaneLight first = around ? this->At(nodes.Cosine[0], nodes.Sine[0]) : PlaneLight{};
   PlaneLight before = first;
   for (std::size_t k = 1; k <= nodes.Intervals; ++k)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light of a lamp on every post, by direct integration over the lamp's disc.
+// The light of a lamp at all posts, by direct integration over the disc of the lamp.
 #ifndef skyline_LampIrradiance_h
 #define skyline_LampIrradiance_h
 
@@ -15,30 +15,31 @@ namespace skyline
 
 struct LampSettings
 {
-  Surface Shape = Surface::Triangles; ///< the surface through the posts
-  double Sink = 0.0;        ///< (1 - k) / 2R in 1/m, as in HorizonSettings; the lamp sinks likewise
-  int Azimuths = 32;        ///< vertical planes laid through a lamp's disc to begin with, 2 or more
-  double Tolerance = 0.002; ///< where a shadow's edge falls between planes, more of them are laid
-                            ///< until the irradiance errs by about this part of the unshadowed
-  double Least = 0.0;       ///< a lamp that could not give more than this irradiance for radiance 1
-                            ///< counts as none; 0: every lamp reaches everywhere
+  Surface Shape = Surface::Triangles; ///< the surface between the posts
+  double Sink = 0.0;        ///< (1 - k) / 2R in 1/m, as in HorizonSettings; also lowers the lamp
+  int Azimuths = 32;        ///< initial number of vertical planes through the disc of a lamp, 2 or
+                            ///< more
+  double Tolerance = 0.002; ///< between planes with a shadow edge, more planes are added until the
+                            ///< error is about this part of the unshadowed irradiance
+  double Least = 0.0;       ///< a lamp is ignored if its irradiance for radiance 1 cannot exceed
+                            ///< this value; 0: no lamp is ignored
 };
 
-/// Adds the irradiance of a lamp at the posts of rows [rowBegin, rowEnd) to rgb (3 floats a post,
-/// row by row from post (0, 0) of the grid): the integral of L V max(0, n.d) over directions d. NaN
-/// at missing posts. Disjoint ranges may run at the same time.
+/// Adds the irradiance of a lamp at the posts of rows [rowBegin, rowEnd) to rgb (3 floats per post,
+/// row by row from post (0, 0) of the grid): the integral of L V max(0, n.d) over directions d.
+/// Missing posts get NaN. Disjoint ranges may run at the same time.
 ///
-/// V is 1 if the ray from the post meets the lamp's surface before any terrain: terrain behind the
-/// lamp, or inside it, hides nothing of the part in front. The ray may fall; nothing but terrain
-/// and the plane of the receiver ends it.
+/// V is 1 if the ray from the post meets the surface of the lamp before any terrain. Terrain behind
+/// the lamp or inside it hides nothing of the part in front. Rays may point downwards; only terrain
+/// and the plane of the receiver block them.
 ///
-/// grid: the field's posts with the spacing that holds where the receivers are. east, north: the
-/// gradients of Gradients(), for all posts; null: level receivers. Throws as CheckLamp does.
+/// grid: the posts of the field, with the spacing that holds at the receivers. east, north: the
+/// gradients of all posts (Normals.h); null: level receivers. Throws what CheckLamp throws.
 SKYLINECORE_EXPORT void AddLampIrradiance(const LampTerrain& terrain, const Grid& grid,
   const float* east, const float* north, const Lamp& lamp, const LampSettings& settings,
   std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd, float* rgb);
 
-/// Planes swept and steps walked by calls like the above: for tests and benchmarks.
+/// Counts of the work of such calls, for tests and benchmarks.
 struct LampWork
 {
   std::ptrdiff_t Posts = 0;  ///< posts that face the lamp

@@ -9,7 +9,7 @@ namespace skyline
 namespace
 {
 
-/// The greatest of a cell's four posts; MissingHeight if one of them is missing.
+/// The greatest height of the four posts of a cell; MissingHeight if one of them is missing.
 float CellHighest(const PaddedPlane& plane, std::ptrdiff_t column, std::ptrdiff_t row)
 {
   const float* south = plane.Line(row) + column;

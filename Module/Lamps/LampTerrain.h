@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A height field with the maxima of its blocks of cells: what the rays to a lamp ask.
+// A height field with the greatest heights of blocks of cells, which the rays to a lamp use.
 #ifndef skyline_LampTerrain_h
 #define skyline_LampTerrain_h
 
@@ -12,7 +12,8 @@
 namespace skyline
 {
 
-/// Built once for a closed field, which must outlive it; a third of the field's floats.
+/// Built once for a closed field, which must outlive it. Takes a third of the memory of the
+/// heights.
 class SKYLINECORE_EXPORT LampTerrain
 {
 public:
@@ -20,11 +21,12 @@ public:
 
   const HeightField& Field() const { return *this->Heights; }
 
-  /// Blocks of 2^level cells, level 1 .. Levels(); a cell is named by its south-west post.
+  /// Number of levels. Level 1 .. Levels() has blocks of 2^level cells. A cell has the indices of
+  /// its south-west post.
   int Levels() const { return static_cast<int>(this->Blocks.size()); }
 
-  /// The greatest height of the complete cells of the block that holds a cell; MissingHeight if
-  /// there is none.
+  /// The greatest height of the complete cells of the block that contains a cell; MissingHeight if
+  /// there are none.
   float Highest(int level, std::ptrdiff_t column, std::ptrdiff_t row) const
   {
     const Level& blocks = this->Blocks[static_cast<std::size_t>(level - 1)];

@@ -4,7 +4,7 @@
 namespace skyline
 {
 
-/// The steepest that a cell with the receiver at its corner rises from it within the fan.
+/// Bounds the slope within the fan of a cell that has the receiver at a corner.
 bool LampWalk::ClearStart(const Fan& fan, std::ptrdiff_t column, std::ptrdiff_t row) const
 {
   const float* low = this->Plane->Line(row) + column;
@@ -13,8 +13,8 @@ bool LampWalk::ClearStart(const Fan& fan, std::ptrdiff_t column, std::ptrdiff_t 
   {
     return true;
   }
-  // The quadrant of directions over the cell, and the part of it over each triangle, may lie outside
-  // the fan: no direction of that is further than Turn from its middle.
+  // The quadrant of directions over the cell, and the part of it over each triangle, may lie
+  // outside the fan. No direction of the fan is further than Turn from its middle.
   const bool atEast = fan.From.Column != column, atNorth = fan.From.Row != row;
   if ((atEast ? -fan.Azimuth.East : fan.Azimuth.East) < -fan.Turn ||
     (atNorth ? -fan.Azimuth.North : fan.Azimuth.North) < -fan.Turn)
@@ -23,8 +23,8 @@ bool LampWalk::ClearStart(const Fan& fan, std::ptrdiff_t column, std::ptrdiff_t 
   }
   const double south = low[0], east = low[1], north = high[0], far = high[1];
   const double dx = this->Lattice.SpacingX, dy = this->Lattice.SpacingY;
-  // A plane's slope over the fan is that along its middle, and the gradient times the way that the
-  // direction turns more at most.
+  // Within the fan, the slope of a plane is at most its slope along the middle, plus the gradient
+  // times the change of direction.
   const auto clear = [&](double gx, double gy, double more)
   {
     return gx * fan.Azimuth.East + gy * fan.Azimuth.North +
@@ -35,21 +35,22 @@ bool LampWalk::ClearStart(const Fan& fan, std::ptrdiff_t column, std::ptrdiff_t 
   {
     const double side = fan.Azimuth.East * dy - fan.Azimuth.North * dx; // above 0: south-east
     const double reach = fan.Turn * std::sqrt(dx * dx + dy * dy);
-    const bool diagonal = atEast == atNorth; // both triangles meet in the post
+    const bool diagonal = atEast == atNorth; // both triangles meet at the post
     const bool southEast = diagonal ? side >= -reach : atEast;
     const bool northWest = diagonal ? side <= reach : atNorth;
     return (!southEast || clear((east - south) / dx, (far - east) / dy, 0.0)) &&
       (!northWest || clear((far - north) / dx, (north - south) / dy, 0.0));
   }
-  // A patch adds twist a b / s along the ray, s >= sqrt(2 a b dx dy), a and b up to 1.
+  // A patch adds twist a b / s along the ray, where s >= sqrt(2 a b dx dy) and a and b are at most
+  // 1.
   const double twist = far - east - north + south;
   return clear((atNorth ? far - north : east - south) / dx,
     (atEast ? far - east : north - south) / dy, std::abs(twist) / std::sqrt(2.0 * dx * dy));
 }
 
-/// Height less the line of sight, linear or bilinear in the cell, is greatest at a corner: for slopes
-/// above 0 the distance is at least its part along the direction to the cell's middle (x, y), which
-/// is linear; for those below, less slope times distance is convex.
+/// The height minus the line of sight, linear or bilinear in the cell, is greatest at a corner. For
+/// slopes above 0, the distance is at least its component along the direction to the middle of the
+/// cell (x, y), which is linear. For slopes below 0, minus slope times distance is convex.
 bool LampWalk::ClearCell(
   const Fan& fan, std::ptrdiff_t column, std::ptrdiff_t row, double x, double y, double sink) const
 {
@@ -119,7 +120,7 @@ bool LampWalk::ClearBlock(
     return near2 > 0.0 ? this->ClearCell(fan, column, row, x, y, this->Sink * near2)
                        : this->ClearStart(fan, column, row);
   }
-  // The four quarters, those inside the data.
+  // The four quarters that lie inside the data.
   const std::ptrdiff_t half = size / 2;
   const bool moreX = column + half < this->Lattice.Columns - 1;
   const bool moreY = row + half < this->Lattice.Rows - 1;
@@ -132,7 +133,7 @@ bool LampWalk::ClearBlock(
 bool LampWalk::Clear(const LampReceiver& from, const LampAzimuth& azimuth, double sinSwath,
   double end, double slope) const
 {
-  // The chord 2 sin(w / 2) of the half swath w bounds what a gradient can gain by turning to its rim.
+  // The chord 2 sin(w / 2) of the half swath w bounds how much a slope can grow towards the rim.
   const double cosine = std::sqrt((1.0 - sinSwath) * (1.0 + sinSwath));
   const Fan fan{ from, azimuth, sinSwath / std::sqrt(0.5 * (1.0 + cosine)), sinSwath / cosine, end,
     slope };

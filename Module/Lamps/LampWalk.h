@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The profile of the terrain along one ray of one post, near to far, over blocks that cannot matter.
+// The profile of the terrain along a ray of a post, from near to far, without blocks that cannot
+// matter.
 #ifndef skyline_LampWalk_h
 #define skyline_LampWalk_h
 
@@ -14,11 +15,11 @@
 namespace skyline
 {
 
-/// A post that light falls on.
+/// A post that receives light.
 struct LampReceiver
 {
   std::ptrdiff_t Column, Row;
-  double Height; ///< metres above the field's base
+  double Height; ///< metres above the base of the field
 };
 
 /// A horizontal unit vector.
@@ -27,13 +28,14 @@ struct LampAzimuth
   double East, North;
 };
 
-/// Walks the vertical half plane of an azimuth from a receiver through the cells. A visitor has
-///   double End()        metres after which nothing matters
-///   double Fine()       metres after which bilinear cells are given in short pieces
-///   double Threshold()  slope that terrain must exceed to matter
-///   void Start(slope)   the slope of the surface at the receiver, before the first piece
-///   bool Piece(s0, z0, s1, z1)   straight terrain between distances s0 < s1, heights above the
-///                       receiver, less the body's sink; false ends the walk
+/// Visits the cells of the vertical half plane of an azimuth, starting at a receiver. A visitor has
+///   double End()        metres after which terrain does not matter
+///   double Fine()       metres after which bilinear cells are passed in short pieces
+///   double Threshold()  only terrain with a greater slope matters
+///   void Start(slope)   called before the first piece with the slope of the surface at the receiver
+///   bool Piece(s0, z0, s1, z1)   a straight piece of terrain between the distances s0 < s1, with
+///                       heights above the receiver, less the sink of the body; returns false to
+///                       end the walk
 class LampWalk
 {
 public:
@@ -49,28 +51,28 @@ public:
   template <class Visitor>
   void operator()(const LampReceiver& from, const LampAzimuth& azimuth, Visitor& visitor) const;
 
-  /// Shows the visitor the one cell at a distance, above 0, if all of it lies before Fine(): a guess
-  /// at what hides.
+  /// Shows the visitor only the cell at a distance above 0, if all of it lies before Fine(). This
+  /// tests terrain that probably hides the lamp.
   template <class Visitor>
   void Look(
     const LampReceiver& from, const LampAzimuth& azimuth, double distance, Visitor& visitor) const;
 
-  /// Whether surely no terrain stands above `slope` (metres of height, less the body's sink, a metre
-  /// of distance from the receiver) within half a swath of an azimuth, given by its sine below 1,
-  /// and `end` metres.
+  /// Returns true if certainly no terrain has a slope above `slope` (metres of height, less the
+  /// sink of the body, per metre of distance from the receiver) within half a swath of an azimuth
+  /// (given by its sine, below 1) and within `end` metres.
   bool Clear(const LampReceiver& from, const LampAzimuth& azimuth, double sinSwath, double end,
     double slope) const;
 
 private:
   struct Ray
   {
-    double U, V; ///< columns and rows a metre
+    double U, V; ///< columns and rows per metre
   };
   struct Fan
   {
     LampReceiver From;
     LampAzimuth Azimuth;
-    double Turn, Spread, End, Slope; ///< chord and tangent of half the swath
+    double Turn, Spread, End, Slope; ///< Turn and Spread: chord and tangent of half the swath
   };
   bool ClearBlock(const Fan& fan, int level, std::ptrdiff_t column, std::ptrdiff_t row) const;
   bool ClearCell(const Fan& fan, std::ptrdiff_t column, std::ptrdiff_t row, double x, double y,
@@ -79,7 +81,7 @@ private:
   struct Cell
   {
     double South, East, North, Far; ///< heights of the posts (0,0), (1,0), (0,1), (1,1)
-    double X, Y;                    ///< the south-west post, from the receiver, in posts
+    double X, Y;                    ///< the south-west post relative to the receiver, in posts
   };
   template <class Visitor>
   bool Triangles(const Cell& cell, const Ray& ray, double in, double out, Visitor& visitor) const;
@@ -136,8 +138,8 @@ template <class Visitor>
 bool LampWalk::Triangles(
   const Cell& cell, const Ray& ray, double in, double out, Visitor& visitor) const
 {
-  // South-east of the diagonal z = South + a (East - South) + b (Far - East), north-west
-  // z = South + a (Far - North) + b (North - South), a and b in cells.
+  // South-east of the diagonal z = South + a (East - South) + b (Far - East); north-west of it z =
+  // South + a (Far - North) + b (North - South); a and b in cells.
   const double ex = cell.East - cell.South, ey = cell.Far - cell.East;
   const double nx = cell.Far - cell.North, ny = cell.North - cell.South;
   const auto height = [&](double s, bool east)
@@ -166,7 +168,7 @@ template <class Visitor>
 bool LampWalk::Bilinear(
   const Cell& cell, const Ray& ray, double in, double out, Visitor& visitor) const
 {
-  // Along the ray  z = a + b s + c s^2.
+  // Along the ray,  z = a + b s + c s^2.
   const double east = cell.East - cell.South, north = cell.North - cell.South;
   const double twist = cell.Far - cell.South - east - north;
   const double a = cell.South - east * cell.X - north * cell.Y + twist * cell.X * cell.Y;
@@ -177,9 +179,10 @@ bool LampWalk::Bilinear(
   {
     visitor.Start(b);
   }
-  // Where its slope a / s + b + c s is greatest inside, and short pieces where a lamp may stand.
+  // Split where the slope a / s + b + c s is greatest inside, and into short pieces where a lamp
+  // may stand.
   const double peak = a < 0.0 && c < 0.0 && in > 0.0 ? std::sqrt(a / c) : 0.0;
-  constexpr int pieces = 8; // a chord of an eighth leaves 1/256 of the patch's bend
+  constexpr int pieces = 8; // a chord over an eighth leaves 1/256 of the bend of the patch
   const int count = out > visitor.Fine() ? pieces : 1;
   double s0 = in, z0 = height(in);
   for (int k = 1; k <= count; ++k)
@@ -216,7 +219,7 @@ void LampWalk::operator()(
   const double perColumn = ray.U != 0.0 ? 1.0 / ray.U : 0.0;
   const double perRow = ray.V != 0.0 ? 1.0 / ray.V : 0.0;
   const double end = visitor.End();
-  // A ray along a line of posts takes the cells on one side, those inside the data.
+  // A ray along a line of posts uses the cells on one side that lie inside the data.
   std::ptrdiff_t i =
     ray.U < 0.0 || (ray.U == 0.0 && from.Column == columns) ? from.Column - 1 : from.Column;
   std::ptrdiff_t j = ray.V < 0.0 || (ray.V == 0.0 && from.Row == rows) ? from.Row - 1 : from.Row;

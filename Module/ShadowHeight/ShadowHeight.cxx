@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shadow heights by the walk of the exact horizon: with weights that sum to 1, and the fall of the
-// light in place of the sink, its greatest slope is the greatest height.
+// Shadow heights by the search of the exact horizon: with weights that sum to 1, and the fall of
+// the light in place of the sink, the greatest slope becomes the greatest height.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "ShadowHeight/ShadowHeight.cxx"
 #include "hwy/foreach_target.h"
@@ -19,7 +19,7 @@ namespace skyline
 namespace HWY_NAMESPACE
 {
 
-// The receivers of a block: first lane and line.
+// Searches for one block of receivers, given by its first lane and line.
 template <Walk Kind>
 class ShadowSearch
 {
@@ -77,7 +77,7 @@ private:
     std::ptrdiff_t First, Last; // lanes of the plane
   };
 
-  // Tiles lie in lines of the image, steps count lines of the frame.
+  // Tiles are counted in lines of the image, steps in lines of the frame.
   HWY_INLINE std::ptrdiff_t TileRow(std::ptrdiff_t step, std::ptrdiff_t size) const
   {
     return this->Frame.ImageLine(this->Line + step) / size;
@@ -89,7 +89,8 @@ private:
       this->Line;
   }
 
-  // The lanes of the posts around the rays in steps first .. last, two to either side included.
+  // The lanes of the posts around the rays in steps first .. last, with two more lanes on each
+  // side.
   HWY_INLINE Reach ReachOf(std::ptrdiff_t first, std::ptrdiff_t last) const
   {
     const std::ptrdiff_t near = this->Frame.DriftAfter(first - 1);
@@ -99,7 +100,7 @@ private:
                                  : Reach{ this->Lane - far - 2, end - near + 1 };
   }
 
-  // From here on rays have fallen by so much at least, and some have left the data.
+  // Sets the least fall of the rays from this step on, and which rays are still inside the data.
   HWY_INLINE void LookFrom(std::ptrdiff_t step)
   {
     const auto lines = static_cast<double>(step - 1);
@@ -118,7 +119,7 @@ private:
       hn::And(hn::Ge(second, from), hn::Lt(second, to)) };
   }
 
-  // Whether posts up to `top` may shade a receiver higher than known.
+  // Whether posts up to the height `top` may raise the shadow height of a receiver.
   HWY_INLINE bool MayGain(float top) const
   {
     const Vector reached = hn::Set(Lanes(), top - this->Fall);
@@ -181,8 +182,8 @@ namespace
 
 HWY_EXPORT(FindShadowHeights);
 
-// Turns the slopes of the steps into heights: an edge t of the way between two posts, `line` lines
-// from the receiver, has the weights 1 - t and t, and the light falls on its way.
+// Converts the slopes of the steps to heights. An edge at the fraction t between two posts, `line`
+// lines from the receiver, has the weights 1 - t and t, and the light falls on its way.
 class HeightSteps
 {
 public:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The height below which a point above a post lies in the shadow of the terrain, exactly.
+// Exact shadow heights: the height above a post below which a point lies in the shadow of the
+// terrain.
 #ifndef skyline_ShadowHeight_h
 #define skyline_ShadowHeight_h
 
@@ -11,35 +12,36 @@
 namespace skyline
 {
 
-/// What stands for a shadow height where no terrain lies towards the light.
+/// The shadow height where no terrain lies towards the light.
 constexpr float NoShadow = MissingHeight;
 
-/// Every shadow height of terrain lies above, every one with a share of a missing post below.
+/// A limit: all shadow heights of terrain lie above it, all with a share of a missing post below.
 constexpr float LeastShadowHeight = -1.0e14f;
 
-/// Lights that stand higher, radians, cast their shadows as from here: 89.9 degrees. A wall of 573 m
-/// then darkens one metre of the ground.
+/// Greatest elevation of a light in radians, 89.9 degrees. Higher lights cast their shadows as from
+/// there. A wall of 573 m then darkens one metre of the ground.
 constexpr double HighestShadowLight = 89.9 * RadiansPerDegree;
 
-/// The fall of a ray of light in metres a metre: the tangent of its elevation (radians), which counts
-/// as 0 below the horizontal plane and as HighestShadowLight above that.
+/// The fall of a light ray in metres per metre: the tangent of its elevation (radians), clamped to
+/// 0 .. HighestShadowLight.
 SKYLINECORE_EXPORT double ShadowSlope(double elevation);
 
-/// Shadow heights of a directional light: the greatest  z - slope d - sink d^2  over all crossings, at
-/// distance d > 0 and height z, of a vertical plane towards the light with the edges of the
-/// triangulated surface. A point above the post is in shadow if it lies below; the post itself is if
-/// its horizon stands above the light. Never cut off at the post's own height, so that it may lie
-/// below the ground: how much the shadow misses by.
+/// Shadow heights of a directional light: the greatest  z - slope d - sink d^2  over all points
+/// where a vertical plane towards the light crosses an edge of the triangulated surface, at
+/// distance d > 0 and height z. A point above the post is in shadow if it lies below this height.
+/// The post itself is in shadow if its horizon lies above the light. The height is not cut off at
+/// the post: if it lies below the ground, it shows by how much the shadow misses the post.
 ///
-/// Driven as a method of horizons is; Find gives shadow heights, metres above the field's base, in
-/// place of slopes, and NoShadow where no terrain lies towards the light. Edges near the receiver come
-/// first; further tiles of posts are looked at only while their highest post could still shade a
-/// receiver of the block. The time is linear in posts unless the light stands so low that most of the
-/// field lies above the rays (Documentation/shadow-height.md).
+/// Used like other horizon methods. Find writes shadow heights in metres above the base of the
+/// field instead of slopes, and NoShadow where no terrain lies towards the light. Edges near the
+/// receiver come first; tiles of posts further away are searched only if their highest post may
+/// still shade a receiver of the block. The time is linear in the number of posts unless the light
+/// is so low that most of the field lies above the rays (Documentation/shadow-height.md).
 class SKYLINECORE_EXPORT ShadowHeightExact : public HorizonMethod
 {
 public:
-  /// The light's ShadowSlope; sink as in HorizonSettings. The field is closed and outlives this.
+  /// slope: the ShadowSlope of the light; sink as in HorizonSettings. The field must be closed and
+  /// must outlive this object.
   ShadowHeightExact(const HeightField& field, double slope, double sink);
 
   void SetAzimuth(const Grid& grid, double azimuth) override;
@@ -55,10 +57,10 @@ private:
   ShadowHeightTiles RowTiles, ColumnTiles;
 };
 
-/// What the search of a range of receivers reads.
+/// The input of the search for a range of receivers.
 struct ShadowHeightTask
 {
-  const RayFrame& Frame; ///< its steps hold weights that sum to 1, and falls in place of sinks
+  const RayFrame& Frame; ///< its steps hold weights that sum to 1, and falls instead of sinks
   const ShadowHeightTiles& Tiles;
   double FallPerLine, SinkPerLine2; ///< metres
   bool Holes;

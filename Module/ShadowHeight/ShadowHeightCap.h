@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Things on the ground as part of the height field, so that they cast shadows too.
+// Adds objects on the ground to the height field, so that they cast shadows, too.
 #ifndef skyline_ShadowHeightCap_h
 #define skyline_ShadowHeightCap_h
 
@@ -11,12 +11,12 @@
 namespace skyline
 {
 
-/// A corner: column and row of posts (fractions, any number), height in metres.
+/// A corner: column and row in posts (fractions allowed, any values), height in metres.
 using CapCorner = std::array<double, 3>;
 
-/// Raises the posts under a triangle, its edges included, to its height where it lies higher (Lee &
-/// Kim, figure 8). heights: columns * rows, row by row; missing posts (NaN) stay missing. An upright
-/// triangle covers no post.
+/// Raises the posts under a triangle, edges included, to the height of the triangle where that is
+/// higher (Lee & Kim, figure 8). heights: columns * rows, row by row; missing posts (NaN) stay
+/// missing. A vertical triangle covers no post.
 inline void CapTriangle(const std::array<CapCorner, 3>& corners, std::ptrdiff_t columns,
   std::ptrdiff_t rows, double* heights)
 {
@@ -26,7 +26,7 @@ inline void CapTriangle(const std::array<CapCorner, 3>& corners, std::ptrdiff_t 
   {
     return;
   }
-  // A hair outside still is inside: posts on an edge that two triangles share are lost by neither.
+  // A tolerance, so that posts on an edge shared by two triangles are not lost.
   constexpr double hair = -1e-9;
   const auto first = [](double least)
   { return static_cast<std::ptrdiff_t>(std::ceil(std::max(least + hair, 0.0))); };
@@ -56,7 +56,7 @@ inline void CapTriangle(const std::array<CapCorner, 3>& corners, std::ptrdiff_t 
       {
         double& height = heights[row * columns + column];
         const double top = a[2] + v * (b[2] - a[2]) + w * (c[2] - a[2]);
-        height = top > height ? top : height; // NaN stays
+        height = top > height ? top : height; // NaN stays NaN
       }
     }
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much of the sun's disc stands free at any height over a place, from its shadow heights.
+// Computes from shadow heights how much of the disc of the sun is visible at any height above a
+// post.
 #ifndef skyline_ShadowHeightPenumbra_h
 #define skyline_ShadowHeightPenumbra_h
 
@@ -12,9 +13,9 @@
 namespace skyline
 {
 
-/// The lit part of a light at height z over a place with shadow height `shadow`, metres, as published
-/// (Lee & Kim, section 3.2): all below shadow - depth is dark, all above the shadow lit, linear
-/// between. With depth 0 (or less) a point is lit from the shadow height upwards.
+/// The lit share of a light at height z above a post with the shadow height `shadow` (metres), as
+/// published (Lee & Kim, section 3.2): 0 below shadow - depth, 1 above shadow, and linear in
+/// between. With a depth of 0 or less, a point is lit from the shadow height upwards.
 inline double LitByPenumbraDepth(double shadow, double z, double depth)
 {
   if (!(depth > 0.0))
@@ -24,7 +25,7 @@ inline double LitByPenumbraDepth(double shadow, double z, double depth)
   return 1.0 - std::min(std::max((shadow - z) / depth, 0.0), 1.0);
 }
 
-/// The part of a disc above a level line `t` radii above its centre: the chord model.
+/// The share of a disc above a level line, `t` radii above the centre of the disc: the chord model.
 inline double LitAboveChord(double t)
 {
   const double s = std::min(std::max(t, -1.0), 1.0);
@@ -33,14 +34,14 @@ inline double LitAboveChord(double t)
 
 /// The penumbra of a disc between the shadow heights of its two limbs.
 ///
-/// An edge at distance d and height h shades up to h - d tan(e) against light of elevation e. The
-/// heights of both limbs give d and h, and with them the elevation of the edge seen from any height
-/// between: exact where one edge shades the whole disc and is level across it. The disc counts above
-/// the horizontal plane alone, as in SunAccumulator.
+/// An edge at distance d and height h casts a shadow up to h - d tan(e) for light of elevation e.
+/// The shadow heights of both limbs give d and h, and thus the elevation of the edge seen from any
+/// height in between. This is exact if one edge shades the whole disc and is level across it. Only
+/// the part of the disc above the horizontal plane counts, as in SunAccumulator.
 class ShadowHeightPenumbra
 {
 public:
-  /// Radians; radius 0: a point.
+  /// elevation and angular radius of the disc in radians; radius 0: a point.
   ShadowHeightPenumbra(double elevation, double radius)
     : Elevation(elevation)
     , Radius(radius)
@@ -52,15 +53,15 @@ public:
   {
   }
 
-  /// ShadowSlope of the upper and of the lower limb: shadow heights are wanted for both.
+  /// ShadowSlope of the upper and the lower limb. The shadow heights of both are needed.
   double UpperSlope() const { return this->Steep; }
   double LowerSlope() const { return this->Level; }
 
-  /// Whether any of the disc stands above the horizontal plane.
+  /// Returns true if a part of the disc lies above the horizontal plane.
   bool Risen() const { return this->Elevation + this->Radius > 0.0; }
 
-  /// The lit part at height z, 0 to 1; upper, lower: shadow heights of the limbs, upper <= lower, in
-  /// the metres of z.
+  /// The lit share at height z, 0 to 1. upper, lower: shadow heights of the two limbs, upper <=
+  /// lower, with the same zero as z, in metres.
   double Lit(double upper, double lower, double z) const
   {
     if (z >= lower)
@@ -79,7 +80,7 @@ public:
 private:
   double Elevation, Radius;
   double Steep, Level;
-  double Open; // lit where no terrain shades
+  double Open; // lit share without terrain
 };
 
 } // namespace skyline

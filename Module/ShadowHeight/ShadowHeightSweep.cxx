@@ -31,7 +31,8 @@ void ShadowHeightSweep::Prepare(std::ptrdiff_t begin, std::ptrdiff_t end)
   const auto aside = static_cast<float>(frame.Slant); // x_off of the paper
   const float straight = 1.0f - aside;
   const auto fall = static_cast<float>(this->Slope * frame.StepLength); // s k of the paper
-  // Shadow heights of the line before, a lane wider to either side for the neighbour aside.
+  // Shadow heights of the previous line, with one more lane on each side for the neighbour beside
+  // it.
   std::vector<float> shadow(static_cast<std::size_t>(lanes + 2), MissingHeight);
   std::vector<float> next(shadow);
   std::fill_n(this->Cast.data() + (frame.Lines - 1) * lanes, lanes, NoShadow);
@@ -48,7 +49,7 @@ void ShadowHeightSweep::Prepare(std::ptrdiff_t begin, std::ptrdiff_t end)
       cast[lane] = straight * ahead[lane] + aside * neighbour[lane] - fall;
       result[lane] = std::max(heights[lane], cast[lane]);
     }
-    if (aside > 0.0f) // the first lane has no neighbour aside
+    if (aside > 0.0f) // the first lane has no neighbour on that side
     {
       const std::ptrdiff_t first = frame.Drift > 0 ? lanes - 1 : 0;
       cast[first] = NoShadow;

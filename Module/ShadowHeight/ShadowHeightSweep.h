@@ -11,31 +11,32 @@
 namespace skyline
 {
 
-/// One pass over the posts, away from the light: a post's shadow height is what its neighbours
-/// towards the light hand on less the fall of the light, type 1 (equation 1) from one neighbour along
-/// an axis, type 2 interpolated between two for any other direction, in all octants; lines run along
-/// whichever axis the light crosses slower. The interpolation of type 2 spreads every edge by about a
-/// post each time it hands it on, so it is off by metres behind sharp edges; type 1 is exact on the
-/// posts. As published, the first line and lane are lit, the body is flat, and a missing post hands on
-/// what it got.
+/// One pass over the posts, away from the light. The shadow height of a post is that of its
+/// neighbours towards the light, minus the fall of the light: type 1 (equation 1) takes one
+/// neighbour along an axis, type 2 interpolates between two neighbours for all other directions, in
+/// all octants. Lines run along the axis that the light crosses more slowly. Each interpolation of
+/// type 2 spreads an edge by about a post, so that the result is off by metres behind sharp edges.
+/// Type 1 is exact at the posts. As published, the first line and lane are lit, the body is flat,
+/// and a missing post passes on what it receives.
 ///
-/// Driven like ShadowHeightExact: Find gives what reaches the post from its neighbours, before the
-/// maximum with the post's own height; NoShadow on the first line and lane.
+/// Used like ShadowHeightExact. Find writes the height that reaches the post from its neighbours,
+/// before the maximum with the height of the post; NoShadow on the first line and lane.
 class SKYLINECORE_EXPORT ShadowHeightSweep : public HorizonMethod
 {
 public:
-  /// The light's ShadowSlope. The field is closed and outlives this.
+  /// slope: the ShadowSlope of the light. The field must be closed and must outlive this object.
   ShadowHeightSweep(const HeightField& field, double slope);
 
   void SetAzimuth(const Grid& grid, double azimuth) override;
-  std::ptrdiff_t PrepareCount() const override { return 1; } // each line needs the one before
+  std::ptrdiff_t PrepareCount() const override { return 1; } // each line depends on the previous
+                                                             // one
   void Prepare(std::ptrdiff_t begin, std::ptrdiff_t end) override;
   void Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd, std::ptrdiff_t laneBegin,
     std::ptrdiff_t laneEnd, float* heights, std::ptrdiff_t stride) const override;
 
 protected:
   double Slope;
-  std::vector<float> Cast; // [frame line][lane]: what Prepare fills, or another processor
+  std::vector<float> Cast; // [frame line][lane], filled by Prepare or by another processor
 
 private:
   const HeightField& Field;

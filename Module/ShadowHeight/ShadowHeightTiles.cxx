@@ -21,7 +21,7 @@ void ShadowHeightTiles::Build(const PaddedPlane& plane)
   for (std::ptrdiff_t row = 0; row < fineRows; ++row)
   {
     std::fill(tops.begin(), tops.end(), MissingHeight);
-    // The plane's margin holds a missing line on either side.
+    // The margin of the plane has a missing line on each side.
     const std::ptrdiff_t end = std::min((row + 1) * Fine, plane.Lines - 1);
     for (std::ptrdiff_t line = row * Fine - 1; line <= end; ++line)
     {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The highest posts of tiles of a plane, in two sizes: what no ray above can meet.
+// The greatest heights of square tiles of a plane in two sizes. Rays above them cannot meet the
+// terrain.
 #ifndef skyline_ShadowHeightTiles_h
 #define skyline_ShadowHeightTiles_h
 
@@ -12,18 +13,20 @@
 namespace skyline
 {
 
-/// Highest posts of square tiles, each with the lines before and after it, whose edges reach in.
+/// Greatest heights of square tiles, including the lines before and after each tile, whose edges
+/// reach into it.
 class ShadowHeightTiles
 {
 public:
   static constexpr std::ptrdiff_t Fine = 16;    ///< posts along the side of a tile
-  static constexpr std::ptrdiff_t Coarse = 128; ///< likewise; a multiple of Fine
+  static constexpr std::ptrdiff_t Coarse = 128; ///< posts along the side of a large tile; a
+                                                ///< multiple of Fine
 
-  /// Does nothing the second time.
+  /// Computes the heights; later calls do nothing.
   void Build(const PaddedPlane& plane);
 
-  /// Of the fine tiles in tile row `row` that hold lanes first .. last; MissingHeight for lanes
-  /// outside the data.
+  /// Greatest height of the fine tiles in tile row `row` that contain lanes first .. last;
+  /// MissingHeight for lanes outside the data.
   float FineTop(std::ptrdiff_t row, std::ptrdiff_t first, std::ptrdiff_t last) const
   {
     return Top(this->FineTiles, this->FinePerRow, row, first, last, Fine);

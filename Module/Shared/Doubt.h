@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a warning says about doubtful input.
+// The parts of a warning about doubtful input.
 #ifndef skyline_Doubt_h
 #define skyline_Doubt_h
 
@@ -8,13 +8,14 @@
 namespace skyline
 {
 
-/// Input that is used although it may not mean what it seems to mean. Every warning of Skyline is made
-/// of these three parts; Warnings.h raises it.
+/// Input that can be used although it may not mean what it seems to mean. All warnings of Skyline
+/// have these three parts; Warnings.h raises them.
 struct Doubt
 {
   std::string Finding;    ///< what was found: "12 posts of 'dem.tif' have the height -9999"
-  std::string Assumption; ///< how it is used: "these are heights"
-  std::string Cure;       ///< the option that changes it: "--nodata -9999"; empty: there is none
+  std::string Assumption; ///< what is assumed: "these are heights"
+  std::string Cure;       ///< the option that changes this: "--nodata -9999"; empty if there is
+                          ///< none
 };
 
 /// The sentence: "FINDING; assuming ASSUMPTION; use CURE to say otherwise".

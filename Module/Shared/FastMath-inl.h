@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Angles from slopes on vectors of floats. Highway's manner: included once per processor target,
-// and the guard toggles with it.
+// Angles from slopes for vectors of floats. As usual with Highway, this file is included once per
+// processor target, and its include guard toggles.
 #if defined(skyline_FastMath_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef skyline_FastMath_inl_h
 #undef skyline_FastMath_inl_h
@@ -19,8 +19,8 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// atan z for 0 <= z <= 1: z + z^3 P(z^2), P fitted here for the least greatest error (Lawson's
-/// iteration); the fit errs by 7.4e-9 rad at most, rounding included 1.0e-7.
+/// atan z for 0 <= z <= 1: z + z^3 P(z^2). P is our own minimax fit (Lawson's iteration); the fit
+/// has an error of at most 7.4e-9 rad, with rounding 1.0e-7.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V AtanUnit(D d, V z)
 {
@@ -36,8 +36,8 @@ HWY_INLINE V AtanUnit(D d, V z)
   return hn::MulAdd(hn::Mul(z, q), p, z);
 }
 
-/// asin m for 0 <= m <= sqrt(1/2), given m and its square: m + m^3 P(m^2), fitted likewise; the fit
-/// errs by 7.4e-9 rad at most, rounding included 1.0e-7.
+/// asin m for 0 <= m <= sqrt(1/2), from m and its square: m + m^3 P(m^2), fitted in the same way;
+/// the fit has an error of at most 7.4e-9 rad, with rounding 1.0e-7.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V AsinLow(D d, V m, V square)
 {
@@ -51,34 +51,35 @@ HWY_INLINE V AsinLow(D d, V m, V square)
   return hn::MulAdd(hn::Mul(m, square), p, m);
 }
 
-/// atan t in the unit in which a right angle is `quarter` and a radian is `unit`; exactly a right
-/// angle for |t| >= 1e18. Any t but NaN; infinities too.
+/// atan t in a unit in which a right angle is `quarter` and a radian is `unit`. Exactly a right
+/// angle for
+/// t| >= 1e18. t may be infinite but not NaN.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V AtanIn(D d, V t, float unit, float quarter)
 {
   const V one = hn::Set(d, 1.0f);
   const V size = hn::Abs(t);
-  // Beyond 1, atan t = quarter turn - atan(1 / t).
+  // For |t| > 1, atan t = right angle - atan(1 / t).
   const V z = hn::Div(hn::Min(size, one), hn::Max(size, one));
   const V low = hn::Mul(AtanUnit(d, z), hn::Set(d, unit));
   return hn::CopySign(hn::IfThenElse(hn::Gt(size, one), hn::Sub(hn::Set(d, quarter), low), low), t);
 }
 
-/// atan t in radians; greatest error 1.4e-7.
+/// atan t in radians; error at most 1.4e-7.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V Atan(D d, V t)
 {
   return AtanIn(d, t, 1.0f, static_cast<float>(0.5 * Pi));
 }
 
-/// atan t in degrees; greatest error 8e-6.
+/// atan t in degrees; error at most 8e-6.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V AtanDegrees(D d, V t)
 {
   return AtanIn(d, t, static_cast<float>(DegreesPerRadian), 90.0f);
 }
 
-/// What the elevation h of a slope t = tan h gives to sums over the sky.
+/// Functions of the elevation h of a slope t = tan h, as sums over the sky need them.
 template <class V>
 struct SlopeTerms
 {
@@ -89,7 +90,7 @@ struct SlopeTerms
   V Size;      ///< |sin h|
 };
 
-/// The terms of a slope up to 1e18 in size (its square is a finite float).
+/// The terms of a slope of at most 1e18 in absolute value, whose square is a finite float.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE SlopeTerms<V> TermsOfSlope(D d, V t)
 {
@@ -104,7 +105,7 @@ HWY_INLINE SlopeTerms<V> TermsOfSlope(D d, V t)
   return terms;
 }
 
-/// |h| of a slope's terms, radians.
+/// h| from the terms of a slope, radians.
 template <class D, class V>
 HWY_INLINE V SizeOfAngle(D d, const SlopeTerms<V>& terms)
 {
@@ -112,7 +113,7 @@ HWY_INLINE V SizeOfAngle(D d, const SlopeTerms<V>& terms)
     hn::Sub(hn::Set(d, static_cast<float>(0.5 * Pi)), terms.Arc));
 }
 
-/// 90 degrees - |h| of a slope's terms, radians; small angles keep their digits.
+/// 90 degrees - |h| from the terms of a slope, in radians; accurate for small angles.
 template <class D, class V>
 HWY_INLINE V ZenithAngle(D d, const SlopeTerms<V>& terms)
 {

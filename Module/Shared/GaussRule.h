@@ -9,7 +9,7 @@ namespace skyline
 {
 
 /// The rule of N nodes (even) on [-1, 1], exact for polynomials of degree 2 N - 1. Only the nodes
-/// above 0 are stored, falling from 1; each has a mirror image of the same weight.
+/// above 0 are stored, in descending order; each has a mirror image with the same weight.
 template <int N>
 struct GaussRule
 {

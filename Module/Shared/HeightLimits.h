@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Heights and distances between posts that float arithmetic takes.
+// Limits of heights and distances between posts for which float arithmetic is safe.
 #ifndef skyline_HeightLimits_h
 #define skyline_HeightLimits_h
 
 namespace skyline
 {
 
-/// Greatest height of ground, metres, of either sign: a number beyond it is no height, and its post is
-/// missing. The square of this one still is a finite float.
+/// Greatest absolute height in metres. A post with a greater one is missing. The square of this
+/// limit is a finite float.
 constexpr double GreatestHeight = 1.0e12;
 
 /// Metres between posts.

@@ -12,8 +12,8 @@ namespace skyline
 namespace
 {
 
-// How many letters must be put in, left out, changed or swapped with their neighbour to make one word
-// of the other.
+// The number of letters that must be inserted, deleted, changed or swapped with a neighbour to
+// convert one word to the other.
 std::size_t Distance(const std::string& a, const std::string& b)
 {
   std::vector<std::size_t> before;
@@ -41,12 +41,13 @@ std::size_t Distance(const std::string& a, const std::string& b)
 std::string Nearest(const std::string& word, const std::vector<std::string>& names)
 {
   std::string best;
-  // A third of the letters may be wrong: "skyview" is sky-view, "--colours" is --colors.
+  // A third of the letters may be wrong: "skyview" matches sky-view, and "--colours" matches
+  // --colors.
   std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string& name : names)
   {
     const std::size_t distance = Distance(word, name);
-    // What was cut short is near, however much is missing.
+    // An abbreviation matches, however many letters are missing.
     const bool start = word.size() >= 3 && name.rfind(word, 0) == 0;
     if (std::min(distance, start ? std::size_t{ 1 } : distance) < least)
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a misspelled name was meant to be.
+// Suggestions for misspelled names.
 #ifndef skyline_NearName_h
 #define skyline_NearName_h
 
@@ -11,11 +11,11 @@
 namespace skyline
 {
 
-/// Of `names`, that which `word` was probably meant to be; empty if none is near.
+/// The one of `names` that `word` probably means; empty if none is similar.
 SKYLINECORE_EXPORT std::string Nearest(
   const std::string& word, const std::vector<std::string>& names);
 
-/// "; did you mean NAME?", or nothing.
+/// Returns "; did you mean NAME?", or an empty text if no name is similar.
 SKYLINECORE_EXPORT std::string DidYouMean(
   const std::string& word, const std::vector<std::string>& names);
 

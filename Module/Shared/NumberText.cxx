@@ -14,8 +14,8 @@ namespace skyline
 namespace
 {
 
-// The number at the start of a text, and how many letters it takes. std::from_chars knows no locale,
-// and no hexadecimal.
+// Reads the number at the start of a text and sets its length. std::from_chars does not depend on
+// the locale and reads no hexadecimal numbers here.
 std::errc ReadStart(const std::string& text, double& number, std::size_t& length)
 {
   const std::size_t plus = text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0;
@@ -79,18 +79,18 @@ std::string WhyNoNumber(const std::string& text)
   }
   if (pointed != text && ReadNumber(pointed))
   {
-    return text + " is no number: write " + pointed + ", with a point";
+    return text + " is not a number: write " + pointed + ", with a point";
   }
   if (error != std::errc() || !std::isfinite(number))
   {
-    return text + " is no number";
+    return text + " is not a number";
   }
   const std::string behind = text.substr(length);
   const bool unit = std::all_of(behind.begin(), behind.end(),
     [](unsigned char letter) { return std::isalpha(letter) || letter >= 128 || letter == '%'; });
-  return text + " is no number" +
+  return text + " is not a number" +
     (unit && behind[0] != 'x' && behind[0] != 'X'
-        ? ": leave " + behind + " out, units are told in the help"
+        ? ": leave " + behind + " out; the help names the units"
         : "");
 }
 
@@ -100,7 +100,7 @@ std::string WhyNoNumbers(const std::string& text, char separator)
   {
     if (!ReadNumber(part))
     {
-      return part.empty() ? text + " has an empty place" : WhyNoNumber(part);
+      return part.empty() ? text + " has an empty part" : WhyNoNumber(part);
     }
   }
   return "";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers in texts that users write: options, names of skies.
+// Numbers in texts that users write, such as options and names of skies.
 //
-// Numbers are decimal with a point, in every locale: 12, -0.5, +3, 1e-3. No hexadecimal, no unit behind
-// the number, no "inf" or "nan".
+// Numbers are decimal with a point, in every locale: 12, -0.5, +3, 1e-3. Hexadecimal numbers, units
+// after the number, "inf" and "nan" are not accepted.
 #ifndef skyline_NumberText_h
 #define skyline_NumberText_h
 
@@ -15,21 +15,22 @@
 namespace skyline
 {
 
-/// The finite number that the whole text is; none for any other text.
+/// The finite number that the whole text represents; no value for any other text.
 SKYLINECORE_EXPORT std::optional<double> ReadNumber(const std::string& text);
 
-/// The finite numbers between separators; none if any part is no number.
+/// The finite numbers between separators; no value if any part is not a number.
 SKYLINECORE_EXPORT std::optional<std::vector<double>> ReadNumbers(
   const std::string& text, char separator = ',');
 
-/// What is wrong with a text that ReadNumber refuses: "12m is no number: leave m out, units are told in
-/// the help".
+/// The reason why ReadNumber refuses a text: "12m is not a number: leave m out; the help names the
+/// units".
 SKYLINECORE_EXPORT std::string WhyNoNumber(const std::string& text);
 
-/// The same for a list of numbers: what is wrong with the first part that is no number; empty: nothing.
+/// The same for a list of numbers: the reason for the first part that is not a number. Empty if all
+/// are numbers.
 SKYLINECORE_EXPORT std::string WhyNoNumbers(const std::string& text, char separator = ',');
 
-/// A number as messages and help show it.
+/// A number in the form that messages and the help use.
 SKYLINECORE_EXPORT std::string NumberText(double number);
 
 } // namespace skyline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much air light passes on its way down.
+// The path length of light through the air.
 #ifndef skyline_AirMass_h
 #define skyline_AirMass_h
 
@@ -10,8 +10,9 @@
 namespace skyline
 {
 
-/// Relative path of light through the air at an apparent elevation in degrees, 1 at the zenith.
-/// Kasten and Young, Applied Optics 28 (1989), eq. 3; below the horizon, its value there.
+/// Relative path length of light through the air at an apparent elevation in degrees; 1 at the
+/// zenith. Kasten and Young, Applied Optics 28 (1989), eq. 3. Below the horizon, the value at the
+/// horizon is returned.
 inline double AirMass(double elevation)
 {
   const double e = elevation > 0.0 ? elevation : 0.0;

@@ -13,8 +13,8 @@ namespace skyline
 namespace
 {
 
-/// Directions along each side of a pixel of the converted map; a pixel at the corner of a face then
-/// gets 20 of them at least.
+/// Number of directions along each side of a pixel of the converted map. A pixel at the corner of a
+/// face then contains at least 20 of them.
 constexpr int Samples = 8;
 
 enum Side
@@ -27,7 +27,7 @@ enum Side
   South
 };
 
-/// Where a face lies in the image, in faces from the top left, and whether it is upside down.
+/// The position of a face in the image, in faces from the top left, and whether it is upside down.
 struct Place
 {
   int Column, Row;
@@ -43,8 +43,8 @@ Place FindPlace(CubeLayout layout, Side side)
   switch (layout)
   {
     case CubeLayout::VerticalStrip:
-      // OpenEXR's X is west. Its faces up and down have west to the right, half a turn from the
-      // crosses'.
+      // The X axis of OpenEXR points west. Its faces up and down have west to the right, rotated by
+      // half a turn from those of the crosses.
       return { 0, side == East ? 1 : side == West ? 0 : side, side == Up || side == Down };
     case CubeLayout::HorizontalStrip:
       return { side, 0, false };
@@ -55,11 +55,11 @@ Place FindPlace(CubeLayout layout, Side side)
   }
 }
 
-/// A face set upright, as crosses have them: up touches north with its lower edge, down with its
-/// upper one.
+/// An upright face, oriented as in the crosses: the lower edge of the face up, and the upper edge
+/// of the face down, touch north.
 struct FaceView
 {
-  const float* First;          ///< the pixel at its top left
+  const float* First;          ///< the pixel at the top left
   std::ptrdiff_t Right, Below; ///< floats to the next pixel
 };
 
@@ -83,10 +83,10 @@ FaceViews ViewFaces(const CubeMap& cube)
 struct FacePoint
 {
   Side Face;
-  double Right, Below; ///< in the upright face, -1 to 1
+  double Right, Below; ///< position on the upright face, -1 to 1
 };
 
-/// Where the cube meets a direction.
+/// The point where a direction meets the cube.
 FacePoint Meet(double x, double y, double z)
 {
   const double east = std::abs(x), north = std::abs(y), up = std::abs(z);
@@ -101,8 +101,8 @@ FacePoint Meet(double x, double y, double z)
   return { z > 0.0 ? Up : Down, x / up, y / z };
 }
 
-/// Radiance bilinearly between the middles of pixels; up to half a pixel beyond them at the edges of
-/// a face it stays what it is there, which keeps every pixel's share of the whole.
+/// Interpolates radiance bilinearly between the centres of pixels. Within half a pixel of the edges
+/// of a face it is constant, so that each pixel keeps its share of the whole.
 void Interpolate(const FaceViews& faces, double size, const FacePoint& point, double* sum)
 {
   const FaceView& face = faces[point.Face];
@@ -116,7 +116,7 @@ void Interpolate(const FaceViews& faces, double size, const FacePoint& point, do
   const std::ptrdiff_t below = t > 0.0 ? face.Below : 0;
   for (int c = 0; c < 3; ++c)
   {
-    // In this form equal corners give just their value.
+    // With this form, equal corners give exactly their value.
     const double upper = corner[c] + s * (double(corner[right + c]) - corner[c]);
     const double lower =
       corner[below + c] + s * (double(corner[below + right + c]) - corner[below + c]);
@@ -168,7 +168,7 @@ bool UnusedPixelsAlike(const CubeMap& cube)
     const float* pixels = cube.Values + row * cube.RowStride;
     for (std::ptrdiff_t column = 0; column < across * cube.Size; ++column)
     {
-      // Both crosses: the second column and the second row hold faces.
+      // In both crosses, the second column and the second row contain faces.
       const bool face = column / cube.Size == 1 || row / cube.Size == 1;
       if (!face && !std::equal(cube.Values, cube.Values + 3, pixels + 3 * column))
       {
@@ -211,7 +211,7 @@ void CubeToLightMap(const CubeMap& cube, std::ptrdiff_t columns, std::ptrdiff_t 
   const FaceViews faces = ViewFaces(cube);
   const auto size = static_cast<double>(cube.Size);
   const double height = Pi / (rows * Samples), width = 2.0 * Pi / (columns * Samples);
-  std::vector<double> circle; // sine and cosine of every azimuth
+  std::vector<double> circle; // sine and cosine of each azimuth
   circle.reserve(static_cast<std::size_t>(2 * columns * Samples));
   for (std::ptrdiff_t j = 0; j < columns * Samples; ++j)
   {
@@ -272,7 +272,8 @@ void KeepEnergy(
   for (int c = 0; c < 3; ++c)
   {
     const double scale = now[c] > 0.0 ? energy[c] / now[c] : 1.0;
-    // Rounding of the sums alone: leave uniform light what it is.
+    // A difference due only to the rounding of sums is ignored, so that uniform light stays exactly
+    // uniform.
     if (std::abs(scale - 1.0) < 1.0e-9)
     {
       continue;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In a part of a swath the light comes from above the elevation e of the horizon or the plane,
-// whichever is higher. Per post that takes sin e, cos^2 e and D(e) (LightTable.h), found for whole
-// vectors of posts, and one line of the table, six vectors of four colours, for each post by
-// itself: posts side by side see different lines, but the three colours share theirs.
+// In a part of a swath, light comes from above the elevation e of the horizon or of the plane,
+// whichever is higher. This takes, per post, sin e, cos^2 e and D(e) (LightTable.h), which are
+// computed for vectors of posts; and one line of the table, six vectors of four colours, which is
+// applied post by post: neighbouring posts use different lines, but their three colours share one.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Sky/LightAccumulator.cxx"
 #include "hwy/foreach_target.h"
@@ -21,24 +21,24 @@
 namespace skyline
 {
 
-/// Posts that are lit together: their numbers stay in the nearest cache.
+/// Number of posts that are processed together; their data fit into the first-level cache.
 constexpr std::ptrdiff_t LightBlock = 64;
 
-/// Up to LightBlock posts side by side, in arrays that hold a whole block.
+/// Up to LightBlock neighbouring posts. The arrays have the length of a whole block.
 struct LightRun
 {
-  const float* Before; ///< sines of the horizons of the azimuth before, or those of this one
-  const float* Here;   ///< sines of the horizons
-  const float* East;   ///< gradients, null for level receivers
+  const float* Before; ///< sines of the horizons of the previous azimuth, or those of this one
+  const float* Here;   ///< sines of the horizons of this azimuth
+  const float* East;   ///< gradients; null for level receivers
   const float* North;
-  float* Sums; ///< red, green, blue and nothing of each post
+  float* Sums; ///< red, green, blue and an unused value for each post
 };
 
-/// A part of a swath and where its middle lies.
+/// A part of a swath, and its centre.
 struct LightPart
 {
   float Sin, Cos, Place;
-  std::ptrdiff_t Count; ///< lines of the table
+  std::ptrdiff_t Count; ///< number of lines of the table
   float LinesPerRadian;
   const float* Lines;
 };
@@ -55,8 +55,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using LightTag = hn::CappedTag<float, 16>;
 using ColorTag = hn::CappedTag<float, 4>;
 
-/// Sines of the elevations of slopes, those below the level 0. A whole block, whatever the rest of
-/// it holds.
+/// Sines of the elevations of slopes; slopes below 0 count as 0. Always computes a whole block.
 void SinesOfSlopes(const float* slopes, std::ptrdiff_t count, float* sines)
 {
   const LightTag d;
@@ -70,7 +69,7 @@ void SinesOfSlopes(const float* slopes, std::ptrdiff_t count, float* sines)
   }
 }
 
-/// Adds a part's light to the posts from 0 to count, a multiple of the vector.
+/// Adds the light of a part to the posts from 0 to count, a multiple of the vector length.
 template <bool Tilted>
 HWY_NOINLINE void LightBlockOf(const LightPart& part, const LightRun& run, std::ptrdiff_t count)
 {
@@ -91,7 +90,7 @@ HWY_NOINLINE void LightBlockOf(const LightPart& part, const LightRun& run, std::
     auto sine = hn::MulAdd(place, hn::Sub(hn::Load(d, run.Here + i), before), before);
     if (Tilted)
     {
-      // The plane hides what is under it.
+      // The plane of the receiver hides what lies below it.
       const auto rise = hn::MulAdd(hn::Load(d, run.East + i), hn::Set(d, part.Sin),
         hn::Mul(hn::Load(d, run.North + i), hn::Set(d, part.Cos)));
       const auto inverse = hn::Sqrt(hn::Div(one, hn::MulAdd(rise, rise, one)));
@@ -105,7 +104,7 @@ HWY_NOINLINE void LightBlockOf(const LightPart& part, const LightRun& run, std::
       hn::Lt(sine, cosine), hn::Sub(hn::Set(d, static_cast<float>(0.5 * Pi)), arc), arc);
     hn::Store(cosSquare, d, square + i);
     hn::Store(hn::NegMulAdd(sine, cosine, zenith), d, bow + i);
-    // Gradients of missing posts are NaN; any line will do for them.
+    // Gradients of missing posts are NaN, and any line of the table serves for these posts.
     const auto number = hn::ConvertTo(di, hn::Mul(zenith, perRadian));
     hn::Store(hn::Min(hn::Max(number, hn::Zero(di)), last), di, line + i);
   }
@@ -113,7 +112,7 @@ HWY_NOINLINE void LightBlockOf(const LightPart& part, const LightRun& run, std::
   const ColorTag colors;
   for (std::ptrdiff_t i = 0; i < count; ++i)
   {
-    // One step where vectors hold four floats.
+    // One iteration if vectors hold four floats.
     for (std::size_t k = 0; k < 4; k += hn::Lanes(colors))
     {
       const float* at = part.Lines + line[i] * LightTable::LineSize + k;
@@ -198,7 +197,7 @@ std::vector<double> LightAccumulator::FedAzimuths() const
   return fed;
 }
 
-/// Azimuth number k of the endless row around the circle.
+/// Azimuth k of the infinite periodic sequence around the circle.
 double LightAccumulator::Neighbour(std::ptrdiff_t k) const
 {
   const auto count = static_cast<std::ptrdiff_t>(this->Azimuths.size());
@@ -260,7 +259,8 @@ void LightAccumulator::Add(
   {
     const std::ptrdiff_t post = row * this->Columns + column + begin;
     const std::ptrdiff_t size = std::min(LightBlock, count - begin);
-    // Up to whole vectors of any processor; what lies behind the run is computed for nothing.
+    // Rounded up to whole vectors of any processor; values after the end of the run are computed
+    // but not used.
     const std::ptrdiff_t whole = (size + 15) / 16 * 16;
     const auto copy = [&](const float* from, float* to) { std::copy_n(from, size, to); };
     float* sines = copies[0];
@@ -321,7 +321,7 @@ void LightAccumulator::Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd)
     {
       float& light = this->Irradiance[3 * post + c];
       light *= up;
-      light = light < 0.0f ? 0.0f : light; // rounding, where hardly any light is left; NaN passes
+      light = light < 0.0f ? 0.0f : light; // rounding where hardly any light remains; NaN passes
     }
   }
 }

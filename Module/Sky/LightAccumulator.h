@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Irradiance of light maps, summed azimuth by azimuth.
+// Irradiance from light maps, summed azimuth by azimuth.
 #ifndef skyline_LightAccumulator_h
 #define skyline_LightAccumulator_h
 
@@ -14,36 +14,37 @@
 namespace skyline
 {
 
-/// How the horizons of single azimuths stand for all those between them.
+/// How the horizons of single azimuths represent all azimuths in between.
 enum class SwathQuadrature
 {
-  Constant, ///< each for its swath, halfway to the neighbours: Timonen & Westerholm 2010
-  Blend,    ///< light between two azimuths is what both let pass, each weighted by its nearness
-  Linear    ///< horizons linear between two azimuths, cut into parts that are constant
+  Constant, ///< each for its swath, halfway to its neighbours: Timonen & Westerholm 2010
+  Blend,    ///< between two azimuths, the light that each lets pass, weighted by nearness
+  Linear    ///< horizons linear between two azimuths, divided into parts with constant ones
 };
 
-/// Sums what light maps send to every post. Light is what comes from above max(horizon, the
-/// post's own plane, 0).
+/// Sums the light from light maps at each post. Light comes from directions above max(horizon,
+/// plane at the post, horizontal plane).
 class SKYLINECORE_EXPORT LightAccumulator : public Accumulator
 {
 public:
   struct Options
   {
     SwathQuadrature Quadrature = SwathQuadrature::Constant;
-    /// Linear: parts of an interval between neighbouring azimuths.
+    /// For Linear: number of parts of an interval between neighbouring azimuths.
     int Parts = 2;
   };
 
-  /// azimuths: rising, radians clockwise from grid north, over less than a turn; the last neighbours
-  /// the first. They must be fed in this order, with Linear the first once more at the end
-  /// (FedAzimuths). Widths of Begin are ignored.
+  /// azimuths: rising, in radians clockwise from grid north, over less than a full turn; the last
+  /// one is a neighbour of the first. They must be added in this order, for Linear with the first
+  /// one again at the end (FedAzimuths). The widths passed to Begin are ignored.
   /// east, north: dz/dx and dz/dy of every post, row by row from the south (Normals.h), or null for
-  /// level receivers; irradiance: three floats a post. All, and the maps' pixels, must outlive it.
+  /// level receivers. irradiance: three floats per post. All of these, and the pixels of the maps,
+  /// must outlive the accumulator.
   LightAccumulator(std::ptrdiff_t columns, std::ptrdiff_t rows,
     const std::vector<TurnedLightMap>& maps, const std::vector<double>& azimuths,
     const Options& options, const float* east, const float* north, float* irradiance);
 
-  /// The azimuths in the order in which they are to be fed.
+  /// The azimuths in the order in which they must be added.
   std::vector<double> FedAzimuths() const;
 
   void Begin(double azimuth, double width) override;
@@ -57,9 +58,10 @@ private:
 
   struct Part
   {
-    std::vector<LightTable> Tables; ///< one a map
-    float Sin = 0.0f, Cos = 1.0f;   ///< of the part's middle
-    float Place = 1.0f;             ///< of the middle: 0 at the azimuth before, 1 at this one
+    std::vector<LightTable> Tables; ///< one per map
+    float Sin = 0.0f, Cos = 1.0f;   ///< of the azimuth at the centre of the part
+    float Place = 1.0f;             ///< position of the centre: 0 at the previous azimuth, 1 at
+                                    ///< this one
   };
 
   std::ptrdiff_t Columns, Rows;
@@ -69,10 +71,10 @@ private:
   const float* East;
   const float* North;
   float* Irradiance;
-  std::unique_ptr<float[]> Previous; ///< slopes of the azimuth before, for Linear
+  std::unique_ptr<float[]> Previous; ///< slopes in the previous azimuth, for Linear
   std::vector<Part> Parts;
   std::size_t UsedParts = 0;
-  std::ptrdiff_t Fed = -1; ///< number of the current azimuth
+  std::ptrdiff_t Fed = -1; ///< index of the current azimuth
 };
 
 } // namespace skyline

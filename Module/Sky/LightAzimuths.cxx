@@ -13,13 +13,13 @@ namespace skyline
 namespace
 {
 
-/// Even shares of a map's light that an interval may hold.
+/// Largest share of the light of a map in one interval, as a multiple of an even share.
 constexpr double LargestShare = 2.0;
 
-/// Intervals in a pixel's width, at most: then the horizon hardly bends inside one.
+/// Least width of an interval, in pixels. Within such an interval the horizon hardly bends.
 constexpr double LeastPart = 0.125;
 
-/// The light of a map from south to each column's left edge, over that of all columns.
+/// The light of a map from south to the left edge of each column, divided by that of all columns.
 class LightByAzimuth
 {
 public:
@@ -31,7 +31,7 @@ public:
     std::vector<double> columns(static_cast<std::size_t>(map.Columns), 0.0);
     for (std::ptrdiff_t row = 0; row < (map.Rows + 1) / 2; ++row)
     {
-      // cos e (sin e + cos e): on a level plane and an upright one that faces the light.
+      // cos e (sin e + cos e): on a level plane plus on a vertical one that faces the light.
       const double zenith = Pi * (static_cast<double>(row) + 0.5) / static_cast<double>(map.Rows);
       const double weight = std::sin(zenith) * (std::cos(zenith) + std::sin(zenith));
       const float* pixel = map.Pixel(row, 0);
@@ -49,7 +49,7 @@ public:
 
   double PixelWidth() const { return 2.0 * Pi / static_cast<double>(this->Sums.size() - 1); }
 
-  /// The share of the azimuths [begin, end), at most a turn.
+  /// The share of the light from the azimuths [begin, end), at most a full turn.
   double Share(double begin, double end) const
   {
     return this->Sums.back() > 0.0 ? (this->Until(end) - this->Until(begin)) / this->Sums.back()

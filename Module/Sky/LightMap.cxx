@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A harmonic is a polar part times a wave in azimuth, so the sum over a map goes row by row: first
-// the waves' sums over the row, 2 bands - 1 numbers a channel, then each into its bands. Over a pixel
+// A harmonic is a polar part times a wave in azimuth, so that the sum over a map proceeds row by
+// row: first the sums of the waves over the row, 2 bands - 1 numbers per channel, then each of
+// these is added to its bands. Over a pixel,
 //   Int cos(m p) dp = cos(m p_centre) 2 sin(m w / 2) / m,   w = 2 pi / Columns
-// and the polar part is integrated by a Gauss rule, for which a trigonometric polynomial of degree
-// 8 over at most pi / 16 is one of low degree: 8 nodes leave 1e-20.
+// and the polar part is integrated by a Gauss rule. A trigonometric polynomial of degree 8 over at
+// most pi / 16 is close to one of low degree: 8 nodes have an error of 1e-20.
 #include "Sky/LightMap.h"
 
 #include "Shared/Constants.h"
@@ -19,7 +20,7 @@ namespace skyline
 namespace
 {
 
-/// Rows of a map, or parts of rows, that the polar angles are divided into at least.
+/// Least number of rows, or parts of rows, into which the range of polar angles is divided.
 constexpr std::ptrdiff_t LeastPolarSteps = 16;
 
 constexpr int PolarNodes = 8;
@@ -34,7 +35,7 @@ LightMapDirection PixelDirection(const LightMap& map, std::ptrdiff_t row, std::p
   return { level * std::sin(azimuth), level * std::cos(azimuth), std::cos(polar) };
 }
 
-// cos t - cos(t + s) = 2 sin(t + s / 2) sin(s / 2), which keeps its digits at the zenith.
+// cos t - cos(t + s) = 2 sin(t + s / 2) sin(s / 2), which is accurate at the zenith.
 double PixelSolidAngle(const LightMap& map, std::ptrdiff_t row)
 {
   const double middle = Pi * (row + 0.5) / map.Rows, half = 0.5 * Pi / map.Rows;
@@ -60,7 +61,7 @@ LightMapDefects SanitizeLightMap(float* values, std::ptrdiff_t pixels)
       {
         largest[c] = std::max(largest[c], value);
       }
-      if (!(value > 0.0f)) // minus zero becomes zero
+      if (!(value > 0.0f)) // also makes minus zero zero
       {
         channels[c] = 0.0f;
       }
@@ -100,7 +101,7 @@ LightMapProjection::LightMapProjection(
       m == 0 || rule == PixelRule::Centre ? width : 2.0 * std::sin(0.5 * m * width) / m;
     for (std::ptrdiff_t column = 0; column < columns; ++column)
     {
-      // Counter-clockwise from east: pi / 2 less the azimuth.
+      // Counter-clockwise from east: pi / 2 - azimuth.
       const double angle = 1.5 * Pi - width * (column + 0.5);
       double* waves = &this->Waves[static_cast<std::size_t>(column) * 2 * this->WaveCount];
       waves[m] = std::cos(m * angle);
@@ -109,7 +110,7 @@ LightMapProjection::LightMapProjection(
   }
 }
 
-/// Integrals of the polar parts over a row, where the harmonic of (l, m >= 0) stands.
+/// Integrals of the polar parts over a row, at the index of the harmonic (l, m >= 0).
 void LightMapProjection::PolarParts(std::ptrdiff_t row, double* parts) const
 {
   double values[HarmonicCount(MaxHarmonicBands)];

@@ -13,15 +13,16 @@ namespace skyline
 {
 
 /// A view of a latitude-longitude map of radiance: linear RGB floats, finite and not negative (see
-/// SanitizeLightMap). Row 0 is the top, at the zenith; the centre is north, to the right is
-/// clockwise. The pixel (row, column) covers the polar angles [row, row + 1] pi / Rows and the
-/// azimuths [column, column + 1] 2 pi / Columns - pi.
+/// SanitizeLightMap). Row 0 is the top row, at the zenith. The centre column is north, and columns
+/// to the right are clockwise from it. Pixel (row, column) covers the polar angles [row, row + 1]
+/// pi / Rows and the azimuths [column, column + 1] 2 pi / Columns - pi.
 struct LightMap
 {
   const float* Values = nullptr; ///< R, G, B of the pixel at the top left
   std::ptrdiff_t Columns = 0;    ///< 1 or more
   std::ptrdiff_t Rows = 0;       ///< 1 or more
-  std::ptrdiff_t RowStride = 0;  ///< floats to the next row below; negative if stored bottom first
+  std::ptrdiff_t RowStride = 0;  ///< floats to the next row below; negative if the bottom row is
+                                 ///< stored first
 
   const float* Pixel(std::ptrdiff_t row, std::ptrdiff_t column) const
   {
@@ -29,19 +30,19 @@ struct LightMap
   }
 };
 
-/// The view of pixels that follow each other row by row from the top.
+/// A view of pixels that are stored row by row, starting at the top.
 inline LightMap ViewTopDown(const float* values, std::ptrdiff_t columns, std::ptrdiff_t rows)
 {
   return { values, columns, rows, 3 * columns };
 }
 
-/// The view of pixels whose first row is the bottom one, as in a vtkImageData.
+/// A view of pixels that are stored row by row, starting at the bottom, as in a vtkImageData.
 inline LightMap ViewBottomUp(const float* values, std::ptrdiff_t columns, std::ptrdiff_t rows)
 {
   return { values + (rows - 1) * 3 * columns, columns, rows, -3 * columns };
 }
 
-/// The unit vector (x east, y north, z up) towards the middle of a pixel.
+/// The unit vector (x east, y north, z up) towards the centre of a pixel.
 struct LightMapDirection
 {
   double X, Y, Z;
@@ -49,30 +50,32 @@ struct LightMapDirection
 SKYLINECORE_EXPORT LightMapDirection PixelDirection(
   const LightMap& map, std::ptrdiff_t row, std::ptrdiff_t column);
 
-/// The solid angle of every pixel of a row, steradian: 2 pi / Columns (cos t - cos(t + pi / Rows)).
+/// The solid angle of each pixel of a row, in steradians: 2 pi / Columns (cos t - cos(t + pi /
+/// Rows)).
 SKYLINECORE_EXPORT double PixelSolidAngle(const LightMap& map, std::ptrdiff_t row);
 
-/// How many pixels had a channel that no radiance can have.
+/// Numbers of pixels with a channel that is not a possible radiance.
 struct LightMapDefects
 {
-  std::ptrdiff_t Negative = 0;   ///< made 0, minus infinity too
-  std::ptrdiff_t NotNumbers = 0; ///< NaN, made 0
-  std::ptrdiff_t Infinite = 0;   ///< made the channel's largest finite value in the map, 0 if none
+  std::ptrdiff_t Negative = 0;   ///< set to 0; includes minus infinity
+  std::ptrdiff_t NotNumbers = 0; ///< NaN, set to 0
+  std::ptrdiff_t Infinite = 0;   ///< set to the largest finite value of the channel in the map, or
+                                 ///< 0
 };
 
-/// Makes `pixels` pixels of three floats finite and not negative. Values that are so already stay
-/// as they are, however large.
+/// Makes all channels of `pixels` pixels of three floats finite and not negative. Other values are
+/// unchanged, however large they are.
 SKYLINECORE_EXPORT LightMapDefects SanitizeLightMap(float* values, std::ptrdiff_t pixels);
 
-/// What stands for a pixel in the sum of the projection.
+/// What represents a pixel in the sum of the projection.
 enum class PixelRule
 {
-  Integral, ///< the integral of the harmonic over the pixel, to rounding: the map is a step function
-  Centre    ///< the harmonic in the pixel's middle times its exact solid angle; off by O(pixel^2)
+  Integral, ///< the exact integral of the harmonic over the pixel: the map is a step function
+  Centre    ///< the harmonic at the centre times the exact solid angle; error O(pixel^2)
 };
 
-/// Projects maps of one size to spherical harmonics. Building one computes the waves of all
-/// columns; rows may then be added by different threads to sums of their own.
+/// Projects maps of one size to spherical harmonics. The constructor computes the waves of all
+/// columns. Threads may then add different rows, each to its own sums.
 class SKYLINECORE_EXPORT LightMapProjection
 {
 public:
@@ -80,8 +83,9 @@ public:
   LightMapProjection(
     std::ptrdiff_t columns, std::ptrdiff_t rows, int bands, PixelRule rule = PixelRule::Integral);
 
-  /// Adds the part of the rows [rowBegin, rowEnd) of a map of that size to `coefficients`: bands^2 of
-  /// red, then of green, then of blue. Sums are in double, so a small sun keeps its energy.
+  /// Adds the contribution of rows [rowBegin, rowEnd) of a map of this size to `coefficients`:
+  /// bands^2 for red, then for green, then for blue. Sums are in double, so that the energy of a
+  /// small sun is not lost.
   void AddRows(const LightMap& map, std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd,
     double* coefficients) const;
 
@@ -94,13 +98,14 @@ private:
   std::ptrdiff_t Columns, Rows;
   int Bands;
   PixelRule Rule;
-  int WaveCount;                  ///< of cosines, and of sines: 4 or 8
-  std::vector<double> Waves;      ///< for every column the cosines and the sines of m p
-  std::vector<double> PixelWidth; ///< for every m: what the column's width makes of a wave
+  int WaveCount;                  ///< number of cosines, and of sines: 4 or 8
+  std::vector<double> Waves;      ///< the cosines and sines of m p for each column
+  std::vector<double> PixelWidth; ///< for each m: factor on a wave due to the width of a column
 };
 
-/// The spherical harmonics of a whole map: bands^2 coefficients of red, then of green, then of blue.
-/// bands: 1 to 8. To turn the map about the vertical, turn them (RotateAboutVertical).
+/// The spherical harmonics of a whole map: bands^2 coefficients for red, then for green, then for
+/// blue. bands: 1 to 8. To rotate the map about the vertical, rotate the coefficients
+/// (RotateAboutVertical).
 SKYLINECORE_EXPORT std::vector<double> ProjectLightMap(
   const LightMap& map, int bands = DefaultHarmonicBands, PixelRule rule = PixelRule::Integral);
 

@@ -13,11 +13,11 @@ namespace skyline
 namespace
 {
 
-/// A column is cut into parts of at most this angle (radians): over one of them the three-point
-/// Gauss rule leaves 1e-13 of a linear weight times a sine.
+/// A column is divided into parts of at most this angle (radians). Over such a part, the
+/// three-point Gauss rule has an error of 1e-13 for a linear weight times a sine.
 constexpr double LargestPart = 0.05;
 
-/// (pi/2 - e) - sin e cos e of the elevation e at the zenith angle z.
+/// D(e) = (pi/2 - e) - sin e cos e for the elevation e at the zenith angle z.
 double Bow(double z)
 {
   return z - std::sin(z) * std::cos(z);
@@ -38,7 +38,7 @@ void LightTable::AddColumns(const TurnedLightMap& light, const SwathPiece& piece
   const double weights[3] = { 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0 };
   const double width = piece.End - piece.Begin;
   const double perRadian = static_cast<double>(map.Columns) / (2.0 * Pi);
-  // The centre column is north, so the map's left edge is south.
+  // The centre column is north, so that the left edge of the map is south.
   const auto place = [&](double azimuth) { return (azimuth - rotation + Pi) * perRadian; };
   const auto first = static_cast<std::ptrdiff_t>(std::floor(place(piece.Begin)));
   const auto last = static_cast<std::ptrdiff_t>(std::ceil(place(piece.End)));
@@ -80,7 +80,7 @@ void LightTable::Build(
   {
     this->AddColumns(light, *piece);
   }
-  this->Count = (map.Rows + 1) / 2; // of an odd number, the middle row holds the horizon
+  this->Count = (map.Rows + 1) / 2; // if odd, the middle row contains the horizon
   this->PerRadian = static_cast<double>(map.Rows) / Pi;
   this->Values.assign(static_cast<std::size_t>(this->Count * LineSize), 0.0f);
   this->Lit = false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In an azimuth with horizon h the plane of slope g (its rise per metre in the azimuth) has the
-// normal nz (-g, 1) there, so a direction of elevation e is lit by nz (sin e - g cos e) and is
-// above the plane if tan e > g. With t = tan max(h, ...), the lower end of the light, over a swath
-// w:
+// In an azimuth with the horizon h, a plane with the slope g (rise per metre in this azimuth) has
+// the normal nz (-g, 1). A direction of elevation e is lit with nz (sin e - g cos e) and lies above
+// the plane if tan e > g. With t = tan max(h, ...), the lower end of the light, a swath of width w
+// contributes:
 //
 //   SkyViewFactor  1/pi w nz Int_h^90 (sin e - g cos e) cos e de
 //                = w / 2 pi nz [1 - sin^2 h - g (acot t - t cos^2 h)],   t = max(tan h, g, 0)
@@ -12,8 +12,8 @@
 //   visible      = w / 2 pi [1 - sin h]
 //   openness     = w / 2 pi [90 degrees - h]
 //
-// The sums hold what is lost, the brackets less their 1, so that open level ground comes out as 1
-// exactly; nz is the same for all azimuths and comes last.
+// The sums contain what is lost, that is the brackets without their 1, so that open level ground
+// gives exactly 1. nz is the same for all azimuths and is applied last.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Sky/SkyAccumulator.cxx"
 #include "hwy/foreach_target.h"
@@ -41,7 +41,7 @@ enum SkyQuantity
   SkyQuantities
 };
 
-/// A run of posts side by side in memory; null for what is not wanted.
+/// A run of posts that are neighbours in memory; null for quantities that are not computed.
 struct SkyRun
 {
   const float* Slopes = nullptr;
@@ -66,9 +66,9 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One quantity's sums of a vector of posts. Reading and Write are apart so that every sum is
-/// read before any is written: the buffers often lie a multiple of 4096 bytes apart, and a load
-/// waits for an earlier store to the same place of another page.
+/// The sums of one quantity for a vector of posts. Read and Write are separate so that all sums are
+/// read before any is written: the buffers are often a multiple of 4096 bytes apart, and then a
+/// load waits for an earlier store to the same position in another page.
 struct VectorOfSums
 {
   using Tag = hn::CappedTag<float, 16>;
@@ -91,8 +91,9 @@ struct VectorOfSums
   V Value;
 };
 
-/// The run's posts from 0 to count, a multiple of the vector. Not inlined: whole vectors and tails
-/// go through the same instructions, so that a post's bits do not depend on its place in a run.
+/// Adds to the posts of the run from 0 to count, a multiple of the vector length. Not inlined:
+/// whole vectors and tails use the same instructions, so that the bits of a post do not depend on
+/// its position in a run.
 template <bool OnLevel, bool OnTilted, bool OnAmbient>
 HWY_NOINLINE void AddVectors(const SkyAzimuth& azimuth, const SkyRun& run, std::ptrdiff_t count)
 {
@@ -141,7 +142,7 @@ HWY_NOINLINE void AddVectors(const SkyAzimuth& azimuth, const SkyRun& run, std::
       if (OnAmbient)
       {
         const SlopeTerms<V> terms = TermsOfSlope(d, end);
-        // acot of a slope below 0 is beyond a right angle.
+        // For a slope below 0, acot is greater than a right angle.
         const V zenith = ZenithAngle(d, terms);
         const V beyond = hn::Sub(hn::Set(d, static_cast<float>(Pi)), zenith);
         const V along =
@@ -160,7 +161,7 @@ HWY_NOINLINE void AddVectors(const SkyAzimuth& azimuth, const SkyRun& run, std::
 
 using AddFunction = void (*)(const SkyAzimuth&, const SkyRun&, std::ptrdiff_t);
 
-/// The instance that computes what the run wants.
+/// Chooses the instance that computes the quantities of the run.
 AddFunction ChooseAdd(const SkyRun& run)
 {
   static constexpr AddFunction table[2][2][2] = {
@@ -173,7 +174,7 @@ AddFunction ChooseAdd(const SkyRun& run)
   return table[level][run.Sums[Tilted] != nullptr][run.Sums[Ambient] != nullptr];
 }
 
-/// The last posts of a run, too few for a vector, through a copy.
+/// Adds to the last posts of a run, which do not fill a vector, using a copy.
 HWY_NOINLINE void AddRest(const SkyAzimuth& azimuth, const SkyRun& run, std::ptrdiff_t whole,
   std::ptrdiff_t rest, AddFunction add)
 {
@@ -209,7 +210,7 @@ HWY_NOINLINE void AddRest(const SkyAzimuth& azimuth, const SkyRun& run, std::ptr
   }
 }
 
-/// The run's posts from 0 to count.
+/// Adds to the posts of the run from 0 to count.
 void AddRun(const SkyAzimuth& azimuth, const SkyRun& run, std::ptrdiff_t count)
 {
   const VectorOfSums::Tag d;
@@ -282,8 +283,8 @@ void SkyAccumulator::Add(
   HWY_DYNAMIC_DISPATCH(AddRun)(this->Azimuth(), run, count);
 }
 
-/// Sums that do not lie side by side are copied together and back, in pieces that stay in the
-/// cache.
+/// Sums that are not contiguous in memory are copied to contiguous memory and back, in pieces that
+/// fit into the cache.
 void SkyAccumulator::AddStrided(std::ptrdiff_t post, std::ptrdiff_t count, const float* slopes)
 {
   const PostBuffer* buffers[SkyQuantities] = { &this->Buffers.SkyViewFactor,
@@ -337,7 +338,7 @@ void SkyAccumulator::Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd)
       }
     }
   };
-  // Rounding may leave a sum a bit outside of what it can be. NaN passes both comparisons.
+  // Rounding may move a sum slightly out of its range. NaN passes both comparisons.
   const auto share = [](float value) { return value < 0.0f ? 0.0f : value > 1.0f ? 1.0f : value; };
   const auto plane = [&](std::ptrdiff_t post, float lost)
   {

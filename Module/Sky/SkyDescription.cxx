@@ -19,7 +19,7 @@ namespace skyline
 namespace
 {
 
-/// What follows `start` in a text that begins with it; else none.
+/// The rest of a text that begins with `start`; no value if it does not.
 std::optional<std::string> After(const std::string& start, const std::string& text)
 {
   return text.rfind(start, 0) == 0 ? std::make_optional(text.substr(start.size())) : std::nullopt;
@@ -45,7 +45,7 @@ SkyDescription ParsePerez(const std::string& text, const std::string& irradiance
   if (!numbers || numbers->size() != 2 || (*numbers)[0] < 0.0 || (*numbers)[1] <= 0.0)
   {
     throw std::invalid_argument(
-      text + " is no sky; give perez:DIRECT,DIFFUSE in W/m2, diffuse above 0");
+      text + " is not a sky; give perez:DIRECT,DIFFUSE in W/m2, diffuse above 0");
   }
   SkyDescription sky;
   sky.Kind = SkyKind::Perez;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which sky shines, and how users write it: on the command line, in the window, in Python.
+// Describes a sky, in the notation of the command line, the window and Python.
 #ifndef skyline_SkyDescription_h
 #define skyline_SkyDescription_h
 
@@ -10,14 +10,14 @@
 namespace skyline
 {
 
-/// The kinds of skies that are computed differently.
+/// Kinds of skies, by how they are computed.
 enum class SkyKind
 {
   None,    ///< black
   Uniform, ///< equally bright everywhere
-  Zonal,   ///< a CIE sky that is the same all around
-  Formula, ///< another CIE sky: brighter about the sun
-  Perez,   ///< Perez's all-weather sky, with its sun
+  Zonal,   ///< a CIE sky with the same radiance in all azimuths
+  Formula, ///< another CIE sky, which is brighter around the sun
+  Perez,   ///< the all-weather sky of Perez, with its sun
   Map      ///< a light map
 };
 
@@ -25,24 +25,24 @@ enum class SkyKind
 struct SkyDescription
 {
   SkyKind Kind = SkyKind::Uniform;
-  int CieType = 0;                                        ///< of Zonal and Formula: 1 to 16
-  double DirectIrradiance = 0.0, DiffuseIrradiance = 0.0; ///< of Perez, W/m2
-  std::string Text = "uniform"; ///< as it is written; of a Map: the file's name
+  int CieType = 0;                                        ///< for Zonal and Formula: 1 to 16
+  double DirectIrradiance = 0.0, DiffuseIrradiance = 0.0; ///< for Perez, W/m2
+  std::string Text = "uniform"; ///< as the user wrote it; for Map the file name
 
-  /// Whether it looks the same in all azimuths.
+  /// Returns true if the sky looks the same in all azimuths.
   bool SameAllAround() const { return this->Kind <= SkyKind::Zonal; }
 
-  /// Whether it is as bright as it is, and not scaled for a picture.
+  /// Returns true if the sky has absolute radiances, which a picture must not scale.
   bool Measured() const { return this->Kind >= SkyKind::Perez; }
 };
 
-/// The sky of a light map's file.
+/// The sky of a light map in a file.
 SKYLINECORE_EXPORT SkyDescription SkyOfFile(const std::string& file);
 
-/// Reads "uniform"; "cie:N", N from 1 to 16; "perez:DIRECT,DIFFUSE" in W/m2; with `takesNone` also "none".
-/// Any other text is the name of a light map's file, which is not opened. Throws std::invalid_argument,
-/// naming text and cure, for a number out of range, and for a word without a point or slash that no file
-/// has as its name.
+/// Reads "uniform"; "cie:N" with N from 1 to 16; "perez:DIRECT,DIFFUSE" in W/m2; and, with
+/// `takesNone`, "none". Any other text is the name of a light map file, which is not opened. Throws
+/// std::invalid_argument, which names the text and a valid alternative, for a number out of range,
+/// and for a text without point or slash that is not the name of an existing file.
 SKYLINECORE_EXPORT SkyDescription ParseSky(const std::string& text, bool takesNone = false);
 
 } // namespace skyline

@@ -16,7 +16,7 @@ namespace skyline
 namespace
 {
 
-/// Standard parameters a, b, c, d, e of the types 1 to 15: CIE S 011/E:2003, table 1.
+/// Standard parameters a, b, c, d, e of types 1 to 15: CIE S 011/E:2003, table 1.
 constexpr double CieTable[15][5] = {
   { 4.0, -0.70, 0.0, -1.0, 0.00 },
   { 4.0, -0.70, 2.0, -1.5, 0.15 },
@@ -35,7 +35,7 @@ constexpr double CieTable[15][5] = {
   { -1.0, -0.15, 24.0, -2.8, 0.15 },
 };
 
-/// Lower ends of the bins of clearness: Perez et al. 1993 (from Perez et al. 1990, table 1).
+/// Lower limits of the bins of clearness: Perez et al. 1993 (from Perez et al. 1990, table 1).
 constexpr double Clearness[8] = { 1.0, 1.065, 1.230, 1.500, 1.950, 2.800, 4.500, 6.200 };
 
 /// x1 to x4 of a, b, c, d and e in each bin: Perez et al. 1993, table 1.
@@ -66,7 +66,7 @@ constexpr double PerezTable[8][5][4] = {
     { 1.5000, -0.6426, 1.8564, 0.5636 } },
 };
 
-/// Sines below this stand for the horizon, where B / sine has no value.
+/// Smaller sines count as the horizon, where B / sine is undefined.
 constexpr double LeastSine = 1.0e-9;
 
 } // namespace
@@ -126,7 +126,7 @@ SkyModel PerezSky(double direct, double diffuse, double sunElevation)
   const double zenith = 0.5 * Pi - sunElevation;
   const double cubic = 1.041 * zenith * zenith * zenith;
   const double clearness = ((diffuse + direct) / diffuse + cubic) / (1.0 + cubic);
-  // Table 1 was fitted to brightnesses within these limits (Perez et al. 1990).
+  // The brightness is limited to the range for which table 1 was fitted (Perez et al. 1990).
   const double brightness =
     std::clamp(AirMass(sunElevation * DegreesPerRadian) * diffuse / SolarConstant, 0.01, 0.6);
   const auto bin = static_cast<std::size_t>(
@@ -140,14 +140,15 @@ SkyModel PerezSky(double direct, double diffuse, double sunElevation)
   };
   SkyModel sky;
   sky.A = plain(0);
-  // Far from the weather that table 1 was fitted to, B rises above 0, and the horizon to infinity.
+  // Outside the weather for which table 1 was fitted, B would rise above 0 and the radiance at the
+  // horizon to infinity.
   sky.B = std::min(plain(1), 0.0);
   sky.C = plain(2);
   sky.D = plain(3);
   sky.E = plain(4);
   if (bin == 0)
   {
-    // Equations of the overcast bin, below table 1.
+    // Equations of the overcast bin, printed below table 1.
     const double* c = table[2];
     const double* d = table[3];
     sky.C = std::exp(std::pow(brightness * (c[0] + c[1] * zenith), c[2])) - c[3];
@@ -159,10 +160,10 @@ SkyModel PerezSky(double direct, double diffuse, double sunElevation)
 void FillSky(const SkyModel& sky, double sunAzimuth, double sunElevation, const SkyScale& scale,
   int width, int height, float* rgb)
 {
-  // Two Gauss nodes each way.
+  // Two Gauss nodes in each direction.
   const double nodes[2] = { 0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0) };
   const double sunSine = std::sin(sunElevation), sunCosine = std::cos(sunElevation);
-  double light = 0.0; // irradiance of open level ground
+  double light = 0.0; // irradiance on open level ground
   std::fill_n(rgb, 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.0f);
   const auto at = [&](double zenith, double azimuth)
   {

@@ -30,7 +30,7 @@ double ZonalSky::Radiance(int cieType, double sine)
   if (!Knows(cieType))
   {
     throw std::invalid_argument("CIE sky " + std::to_string(cieType) +
-      " is none that is the same all around: 1, 3, 5 and 16");
+      " is not the same in all azimuths; give 1, 3, 5 or 16");
   }
   const SkyModel sky = CieSky(cieType);
   return sky.Radiance(sine, 0.0) / sky.Radiance(1.0, 0.0);
@@ -96,7 +96,7 @@ void ZonalSkyAccumulator::Add(
   for (std::ptrdiff_t i = 0; i < count; ++i)
   {
     const float rise = east[i] * this->SinAzimuth + north[i] * this->CosAzimuth;
-    // In this order a rise of NaN passes through Light's product, not through its table.
+    // In this order, a rise of NaN affects the product in Light but not the table index.
     const float slope = std::min(std::max(std::max(0.0f, slopes[i]), rise), steepest);
     const float sine = slope / std::sqrt(1.0f + slope * slope);
     const float light = this->Width * this->Sky.Light(sine, rise);
@@ -111,7 +111,7 @@ void ZonalSkyAccumulator::Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd)
     const float east = this->East[post];
     const float north = this->North[post];
     const float share = this->Share[post] / std::sqrt(1.0f + east * east + north * north);
-    this->Share[post] = share < 0.0f ? 0.0f : share; // rounding, where hardly any sky is left
+    this->Share[post] = share < 0.0f ? 0.0f : share; // rounding where hardly any sky remains
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Skies whose radiance depends on elevation alone.
+// Skies whose radiance depends only on elevation.
 #ifndef skyline_ZonalSky_h
 #define skyline_ZonalSky_h
 
@@ -12,27 +12,30 @@
 namespace skyline
 {
 
-/// A sky that looks the same in all azimuths, ready to light slopes above horizons.
+/// A sky with the same radiance in all azimuths, prepared to compute its light on slopes above
+/// horizons.
 class SKYLINECORE_EXPORT ZonalSky
 {
 public:
-  /// The skies of CIE S 011/E:2003 that do not depend on the sun, by the standard's numbers: 1
-  /// overcast with a steep gradation, 3 overcast with a moderate one, 5 uniform, 16 the traditional
-  /// overcast sky (Moon and Spencer 1942). Throws std::invalid_argument for others.
+  /// The skies of CIE S 011/E:2003 that do not depend on the sun, by their numbers in the standard:
+  /// 1 (overcast, steep gradation), 3 (overcast, moderate gradation), 5 (uniform) and 16
+  /// (traditional overcast sky, Moon and Spencer 1942). Throws std::invalid_argument for other
+  /// numbers.
   explicit ZonalSky(int cieType);
 
-  /// Whether the type is one of those.
+  /// Returns true if the type is one of these.
   static bool Knows(int cieType);
 
-  /// Radiance at an elevation whose sine is `sine` (0 to 1), over that of the zenith: CieSky of
-  /// SkyModel.h. Throws std::invalid_argument for types that it does not know.
+  /// Radiance at an elevation with the sine `sine` (0 to 1), divided by that at the zenith: CieSky
+  /// of SkyModel.h. Throws std::invalid_argument for other types.
   static double Radiance(int cieType, double sine);
 
-  /// What the part of an azimuth above elevation t sends to a plane, per radian of azimuth and over
-  /// the irradiance of open level ground: the plane rises by `rise` a metre in that azimuth and its
-  /// normal's z component is left out; `sine` is sin t, 0 to 1, not under the plane. This is
+  /// The light that the part of the sky above elevation t in one azimuth sends to a plane, per
+  /// radian of azimuth, divided by the irradiance of open level ground. `rise`: rise of the plane
+  /// per metre in this azimuth; `sine`: sin t, 0 to 1, not below the plane. The z component of the
+  /// normal is left out. The result is
   ///   Int_t^90 L(e) (sin e - rise cos e) cos e de / Int Int_0^90 L sin e cos e de da,
-  /// by linear interpolation between Nodes sines; error below 1e-5 for rises up to 1.
+  /// linearly interpolated between Nodes sines, with an error below 1e-5 for rises up to 1.
   float Light(float sine, float rise) const
   {
     const float place = sine * (Nodes - 1);
@@ -49,18 +52,18 @@ private:
   struct Node
   {
     float Level = 0.0f;   ///< on a level plane
-    float Upright = 0.0f; ///< on a vertical one that faces the azimuth
+    float Upright = 0.0f; ///< on a vertical plane that faces the azimuth
   };
   std::array<Node, Nodes> Table;
 };
 
-/// Sums the light of a zonal sky over azimuths whose swaths make up a circle: irradiance of the
-/// tilted surface of every post over that of open level ground under the same sky.
+/// Sums the light of a zonal sky over azimuths whose swaths form a full circle: irradiance of the
+/// tilted surface at each post, divided by that of open level ground under the same sky.
 class SKYLINECORE_EXPORT ZonalSkyAccumulator : public Accumulator
 {
 public:
-  /// east, north: dz/dx and dz/dy of every post, row by row from the south (Normals.h); share: the
-  /// results, likewise. All must outlive the accumulator. NaN in east or north gives NaN.
+  /// east, north: dz/dx and dz/dy of every post, row by row from the south (Normals.h). share: the
+  /// results, in the same order. All must outlive the accumulator. NaN in east or north gives NaN.
   ZonalSkyAccumulator(const ZonalSky& sky, std::ptrdiff_t columns, const float* east,
     const float* north, float* share);
 

@@ -18,7 +18,8 @@ AstronomicalTimes ConvertUtc(const UtcTime& time, double ut1MinusUtc)
   double utc1 = 0.0, utc2 = 0.0;
   const int status = eraDtf2d(
     "UTC", time.Year, time.Month, time.Day, time.Hour, time.Minute, time.Second, &utc1, &utc2);
-  // -1 is a year before ERFA's calendar begins; 1 warns of a year without known leap seconds.
+  // -1: a year before the calendar of ERFA begins; 1: a warning about a year without known leap
+  // seconds.
   if (status == -1)
   {
     throw std::out_of_range(
@@ -73,7 +74,7 @@ LocalVector SeenFrom(
   const double z = body[2] - place[2];
   const double sinLambda = std::sin(lambda), cosLambda = std::cos(lambda);
   const double sinPhi = std::sin(phi), cosPhi = std::cos(phi);
-  const double outward = cosLambda * x + sinLambda * y; // away from the Earth's axis
+  const double outward = cosLambda * x + sinLambda * y; // away from the axis of the Earth
   LocalVector seen;
   seen.East = cosLambda * y - sinLambda * x;
   seen.North = cosPhi * z - sinPhi * outward;

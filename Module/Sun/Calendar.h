@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Dates of the Gregorian calendar, by ERFA.
+// Dates of the Gregorian calendar, computed by ERFA.
 #ifndef skyline_Calendar_h
 #define skyline_Calendar_h
 
@@ -8,17 +8,17 @@
 namespace skyline
 {
 
-/// Month 1 to 12, day from 1. Years count astronomically: 0 is the one before 1.
+/// A date: months 1 to 12, days from 1. Years are astronomical: year 0 precedes year 1.
 struct CalendarDate
 {
   int Year = 2000, Month = 1, Day = 1;
 };
 
-/// Days from the date to the next one differ by 1: the modified Julian date. Years from -4799 on; a day
-/// beyond its month counts on into the next.
+/// The number of a day (the modified Julian date), which grows by 1 from day to day. Years from
+/// -4799 on. A day beyond the end of its month counts as a day of the next month.
 SKYLINECORE_EXPORT int DayNumber(const CalendarDate& date);
 
-/// The date with a DayNumber.
+/// The date of a DayNumber.
 SKYLINECORE_EXPORT CalendarDate DateOfDay(int number);
 
 int DaysInMonth(int year, int month);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// With a root of four sides,  root = sqrt((1+k+d) (1+k-d) (1-k+d) (k-1+d)) = 4 x the area of the
-// triangle of both centres and a point where the rims meet, the lens of two discs of the radii 1 and
-// k at the distance d has the area
+// With  root = sqrt((1+k+d) (1+k-d) (1-k+d) (k-1+d)),  which is 4 times the area of the triangle of
+// both centres and a point where the rims meet, the common area of two discs with the radii 1 and k
+// at the distance d is
 //   atan2(root, d^2 + 1 - k^2) + k^2 atan2(root, d^2 + k^2 - 1) - root / 2.
-// The light of mu = sqrt(1 - r^2) is summed over rings: on the ring of radius r half the covered arc
-// is phi = acos((r^2 + d^2 - k^2) / (2 r d)), or all of it. Rings r = a + (b - a) sin^2(t / 2), evenly
-// in t, make the square roots at both ends smooth.
+// The light of mu = sqrt(1 - r^2) is summed over rings. On the ring of radius r, half of the
+// covered arc is phi = acos((r^2 + d^2 - k^2) / (2 r d)), or the whole ring is covered. The rings r
+// = a + (b - a) sin^2(t / 2), evenly spaced in t, make the square roots at both ends smooth.
 #include "Sun/CoveredDisc.h"
 
 #include "Shared/Constants.h"
@@ -21,7 +21,7 @@ namespace
 
 constexpr int Rings = 48;
 
-/// Int mu dA over the disc within a radius.
+/// Integral of mu dA over the disc within a radius.
 double BrightWithin(double radius)
 {
   const double rest = (1.0 - radius) * (1.0 + radius);

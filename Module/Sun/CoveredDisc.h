@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much of a disc another disc covers: the sun behind the Moon.
+// The share of a disc that another disc covers, such as that of the sun behind the Moon.
 #ifndef skyline_CoveredDisc_h
 #define skyline_CoveredDisc_h
 
@@ -8,18 +8,18 @@
 namespace skyline
 {
 
-/// The share of a disc's light that another disc covers: 0 to 1, exactly 0 where they do not meet and
-/// exactly 1 where nothing is left. Both are flat, as small discs in the sky are (discs of 0.3 degrees:
-/// 2e-5).
+/// The share of the light of a disc that another disc covers: 0 to 1, exactly 0 if they do not meet
+/// and exactly 1 if nothing remains. Both discs are flat, which is accurate for small discs in the
+/// sky (error 2e-5 for discs of 0.3 degrees).
 ///
-/// `distance` of the centres and `cover`, the covering disc's radius: in radii of the covered disc, 0 or
-/// more. `limbDarkening`: u of the intensity 1 - u (1 - mu), 0 (default: an even disc, closed form) to 1
-/// (a sum of 48 rings: 1e-5).
+/// `distance` of the centres and radius `cover` of the covering disc: in radii of the covered disc,
+/// 0 or more. `limbDarkening`: u of the intensity 1 - u (1 - mu), 0 (default: a uniform disc,
+/// closed form) to 1 (a sum of 48 rings, error 1e-5).
 SKYLINECORE_EXPORT double CoveredShare(double distance, double cover, double limbDarkening = 0.0);
 
-/// The covered part of the diameter through both centres, 0 or more, as tables of eclipses give it:
-/// where one disc lies wholly upon the other, the ratio of the diameters. Both arguments as CoveredShare
-/// takes them, in radii of the covered disc.
+/// The covered part of the diameter through both centres, 0 or more, as in tables of eclipses. If
+/// one disc lies entirely in front of or behind the other, the ratio of the diameters. The
+/// arguments are those of CoveredShare.
 SKYLINECORE_EXPORT double CoveredMagnitude(double distance, double cover);
 
 } // namespace skyline

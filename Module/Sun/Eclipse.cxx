@@ -19,8 +19,9 @@ namespace skyline
 namespace
 {
 
-/// Sun and Moon can touch for some place when the Earth's centre sees their centres closer than this,
-/// radians: the Moon's greatest parallax (1.03 degrees) and both greatest radii (0.28 and 0.27).
+/// An eclipse is possible somewhere if the angle between the centres, seen from the centre of the
+/// Earth, is less than this (radians): the greatest parallax of the Moon (1.03 degrees) plus both
+/// greatest radii (0.28 and 0.27 degrees).
 constexpr double FarthestEclipse = 1.6 * RadiansPerDegree;
 
 using Vector = std::array<double, 3>;
@@ -48,13 +49,14 @@ SunAndMoon See(const Vector& sun, const Vector& moon)
   return seen;
 }
 
-/// How far the rims of both are apart in two views, in radii of the sun.
+/// Bounds by how much the distance of the rims differs between two views, in radii of the sun.
 double Difference(const SunAndMoon& a, const SunAndMoon& b)
 {
   return Length(Minus(a.Offset, b.Offset)) + std::abs(a.Cover - b.Cover);
 }
 
-/// True if the rims of sun and Moon may touch at a node, or between it and its neighbours.
+/// Returns true if the rims of the sun and the Moon may touch at a node, or between it and its
+/// neighbours.
 bool Reaches(const RefinedLattice<SunAndMoon>& lattice)
 {
   double closest = lattice.Nodes.front().Distance(), step = 0.0;
@@ -106,7 +108,7 @@ EclipseEphemeris::EclipseEphemeris(const UtcTime& time, double ut1MinusUtc)
   const AstronomicalTimes times = ConvertUtc(time, ut1MinusUtc);
   double moon[2][3];
   eraMoon98(times.Tt1, times.Tt2, moon);
-  const double light = eraPm(moon[0]) * ERFA_AULT / ERFA_DAYSEC; // days
+  const double light = eraPm(moon[0]) * ERFA_AULT / ERFA_DAYSEC; // light time in days
   for (int axis = 0; axis < 3; ++axis)
   {
     moon[0][axis] -= light * moon[1][axis];

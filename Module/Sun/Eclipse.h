@@ -15,37 +15,41 @@
 namespace skyline
 {
 
-/// Radius of the Moon, metres: k = 0.2725076 (IAU 1982, the mean limb) equatorial radii of the Earth
-/// (6378137 m, WGS 84).
+/// Radius of the Moon in metres: k = 0.2725076 (IAU 1982, mean limb) times the equatorial radius of
+/// the Earth (6378137 m, WGS 84).
 constexpr double LunarRadius = 0.2725076 * 6378137.0;
 
-/// Interpolation of the Moon's place before the sun may add this many radii of the sun: no more than
-/// 0.0002 of the sun's light, since the covered share changes by less than 2 / pi a radius.
+/// Largest error, in radii of the sun, that interpolation may cause in the position of the Moon
+/// relative to the sun. It changes the light of the sun by at most 0.0002, because the covered
+/// share changes by less than 2 / pi per radius.
 constexpr double EclipseTolerance = 0.0002;
 
-/// Sun and Moon seen from a place, without air. (The air lifts and flattens both alike: the covered
-/// share stays.)
+/// The sun and the Moon seen from a place, without air. (Air lifts and flattens both alike, so that
+/// the covered share is the same.)
 struct SKYLINECORE_EXPORT SunAndMoon
 {
-  /// From the sun's centre to the Moon's, in radii of the sun, on axes fixed to the Earth.
+  /// From the centre of the sun to that of the Moon, in radii of the sun, on axes fixed to the
+  /// Earth.
   std::array<double, 3> Offset{ { 0.0, 0.0, 0.0 } };
-  double Cover = 1.0; ///< the Moon's radius, in radii of the sun
+  double Cover = 1.0; ///< radius of the Moon, in radii of the sun
 
-  double Distance() const;  ///< of the centres, in radii of the sun
-  double Magnitude() const; ///< the covered part of the sun's diameter: see CoveredMagnitude
+  double Distance() const;  ///< between the centres, in radii of the sun
+  double Magnitude() const; ///< covered part of the diameter of the sun: see CoveredMagnitude
   double Obscuration(double limbDarkening = 0.0) const; ///< see CoveredShare
 };
 
-/// Sun and Moon at one moment.
+/// The sun and the Moon at one moment.
 ///
-/// Method: the sun as SunEphemeris has it; the Moon by eraMoon98 (Meeus 1998) at the moment its light
-/// left, turned to Earth-fixed axes likewise; a place subtracts its own place (topocentric parallax).
+/// Method: the sun as in SunEphemeris; the Moon by eraMoon98 (Meeus 1998) at the moment when its
+/// light left it, rotated to axes fixed to the Earth in the same way. The position of a place is
+/// subtracted (topocentric parallax).
 ///
-/// Errors: eraMoon98 keeps 2.9 arcseconds (root mean square; at most 18) of direction, in which the
-/// Moon passes before the sun in 7 s. UT1 - UTC, which is not known here, moves the place by up to
-/// 0.9 s of the Earth's rotation: 0.4 km. The Moon's limb has mountains and valleys of 2 arcseconds, k
-/// their mean: tables of totality that take the smaller k = 0.272281 (the valleys) are 3 s shorter.
-/// Before 1960 terrestrial time is wrong by up to 35 s (SunEphemeris), and eclipses come as much late
+/// Errors: eraMoon98 has an error in direction of 2.9 arcseconds (root mean square; at most 18),
+/// which the Moon passes in 7 s in front of the sun. UT1 - UTC, which is taken as 0, moves the
+/// place by up to 0.9 s of the rotation of the Earth: 0.4 km. The limb of the Moon has mountains
+/// and valleys of 2 arcseconds, and k is their mean: totality is 3 s shorter in tables that use the
+/// smaller k = 0.272281 (valleys). Before 1960, terrestrial time has an error of up to 35 s
+/// (SunEphemeris), and eclipses are early or late by as much.
 /// or early.
 class SKYLINECORE_EXPORT EclipseEphemeris
 {

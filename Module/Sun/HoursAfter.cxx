@@ -20,7 +20,7 @@ constexpr std::int64_t SecondsPerDay = 86400;
 
 UtcTime HoursAfter(const UtcTime& time, double hours)
 {
-  if (!(std::abs(hours) < 1e7)) // more than a thousand years, or not a number
+  if (!(std::abs(hours) < 1e7)) // more than a thousand years, or NaN
   {
     throw std::invalid_argument(
       "the sun's time is moved by " + std::to_string(hours) + " hours; give less than 1e7");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A moment some hours after another: a number that an animation can vary.
+// A moment some hours after another one, so that an animation can vary a number.
 #ifndef skyline_HoursAfter_h
 #define skyline_HoursAfter_h
 
@@ -9,9 +9,9 @@
 namespace skyline
 {
 
-/// The moment `hours` (also negative; -1e7 to 1e7, both excluded) after `time`. Leap seconds between the
-/// two are not counted. With 0 hours the same moment. Throws std::invalid_argument, naming the number, for
-/// other hours.
+/// The moment `hours` after `time`. hours: may be negative; above -1e7 and below 1e7; 0 gives
+/// `time` itself. Leap seconds in between are not counted. Throws std::invalid_argument, which
+/// names the number, for other values.
 SKYLINECORE_EXPORT UtcTime HoursAfter(const UtcTime& time, double hours);
 
 } // namespace skyline

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values over a height field that are costly to compute: at the nodes of a lattice, linear between them.
+// Expensive values over a height field: computed at the nodes of a lattice and interpolated
+// linearly.
 #ifndef skyline_RefinedLattice_h
 #define skyline_RefinedLattice_h
 
@@ -14,21 +15,21 @@
 namespace skyline
 {
 
-/// Node: has a function Mix(a, b, fraction) beside it.
+/// Node must have a function Mix(a, b, fraction).
 template <typename Node>
 struct RefinedLattice
 {
   std::ptrdiff_t Side = 0;                        ///< nodes along each side
-  double NodesPerColumn = 0.0, NodesPerRow = 0.0; ///< lattice steps per post
+  double NodesPerColumn = 0.0, NodesPerRow = 0.0; ///< steps of the lattice per post
   std::vector<Node> Nodes;                        ///< row by row from the south
-  double Error = 0.0;                             ///< the greatest that Refine found
+  double Error = 0.0;                             ///< the greatest error that Refine found
 
   const Node& At(std::ptrdiff_t column, std::ptrdiff_t row) const
   {
     return this->Nodes[static_cast<std::size_t>(row * this->Side + column)];
   }
 
-  /// At a post; beyond the edge the edge's counts.
+  /// The value at a post. Positions beyond the edge get the value at the edge.
   Node Interpolate(double column, double row) const
   {
     const LatticePlace across(column * this->NodesPerColumn, this->Side);
@@ -39,17 +40,18 @@ struct RefinedLattice
       across.Fraction);
   }
 
-  /// Makes the nodes, valueAt(column, row), of the coarsest lattice whose `difference(interpolated, true)` is
-  /// at most `tolerance`, or of the finest one. Stops with an empty lattice once wanted(lattice) is false.
+  /// Computes the nodes valueAt(column, row) of the coarsest lattice whose
+  /// `difference(interpolated, true)` is at most `tolerance`, or of the finest lattice. Stops with
+  /// an empty lattice as soon as wanted(lattice) returns false.
   template <typename ValueAt, typename Difference, typename Wanted>
   void Refine(const Georeference& place, double tolerance, const ValueAt& valueAt,
     const Difference& difference, const Wanted& wanted)
   {
-    // Powers of two plus one, so that each lattice holds the one before.
+    // Powers of two plus one, so that each lattice contains the nodes of the previous one.
     constexpr std::ptrdiff_t firstSide = 5, lastSide = 257;
     RefinedLattice lattice = Make(place, firstSide, valueAt);
-    // A lattice is good when it predicts the next finer one, which is then kept: its error is about a
-    // quarter of the one measured.
+    // Refine until a lattice predicts the next finer one within the tolerance. The finer one is
+    // kept; its error is about a quarter of the measured one.
     do
     {
       if (!wanted(lattice))

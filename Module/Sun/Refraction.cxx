@@ -13,7 +13,7 @@ namespace skyline
 namespace
 {
 
-// ISO 2533: sea level, gradient of the troposphere, its top, gravity, gas constant of dry air.
+// ISO 2533: sea level, gradient and top of the troposphere, gravity, gas constant of dry air.
 constexpr double SeaPressure = 1013.25;    // hPa
 constexpr double SeaTemperature = 288.15;  // K
 constexpr double TemperatureFall = 0.0065; // K/m
@@ -62,7 +62,7 @@ double Refraction(double elevation, const Air& air)
   {
     return 0.0;
   }
-  // Where h + Bend / (h + Offset) has its minimum the formula has its maximum.
+  // The formula has its maximum where h + Bend / (h + Offset) has its minimum.
   static const double peak = std::sqrt(Bend) - Offset;
   double lift = 0.0;
   if (elevation >= peak)

@@ -13,20 +13,20 @@ namespace skyline
 namespace
 {
 
-/// Posts looked at together: mostly all of them are lit, or all are in shadow.
+/// Number of posts that are tested together: usually all of them are lit, or all are in shadow.
 constexpr std::ptrdiff_t Block = 16;
 
-/// Azimuths that differ by less, in radians, are the same: their digits may differ.
+/// Azimuths that differ by less, in radians, count as equal.
 constexpr double SameAzimuth = 1e-9;
 
-/// A horizon slope as the sun meets it: the plain at the least.
+/// The slope of a horizon as the sun sees it: at least 0, that of the horizontal plane.
 float SunSlope(float slope)
 {
   return slope > 0.0f ? slope : 0.0f;
 }
 
-/// The elevation of a slope above a direction with elevation (sine, cosine): radians; the
-/// difference is taken before the arc tangent, so that it keeps its digits.
+/// The elevation, in radians, of a slope above a direction whose elevation has the given sine and
+/// cosine. The difference is taken before the arc tangent to keep its digits.
 double Above(float slope, double sine, double cosine)
 {
   const double t = slope;
@@ -42,9 +42,9 @@ float SlopeOf(double elevation)
                                                   : std::tan(elevation));
 }
 
-/// Light of a flat disc up to the parallel at s, -1 to 1, of its half width, of that of the whole
-/// disc, up to a constant; u: limb darkening. The chord at s has the light 2 sqrt(1 - s^2) even and
-/// pi/2 (1 - s^2) of mu.
+/// Light of a flat disc between its centre and the line at s (-1 to 1, in radii), as a share of the
+/// light of the whole disc. u: limb darkening. The chord at s has the light 2 sqrt(1 - s^2) for a
+/// uniform disc and pi/2 (1 - s^2) for mu.
 double StripLight(double s, double u)
 {
   const double even = std::asin(s) + s * std::sqrt((1.0 - s) * (1.0 + s));
@@ -52,7 +52,7 @@ double StripLight(double s, double u)
   return ((1.0 - u) * even + u * bright) / (Pi * (1.0 - u / 3.0));
 }
 
-/// 1 if a point sun under a horizon (radians above the sun) is lit.
+/// 1 if a point sun is lit, 0 if not. horizon: its elevation in radians above the sun.
 float PointLit(double horizon)
 {
   return horizon < 0.0 ? 1.0f : 0.0f;
@@ -156,8 +156,8 @@ void SunAccumulator::AddSame(std::ptrdiff_t post, std::ptrdiff_t count, const fl
   }
   const double sine = std::sin(this->Sun.Elevation);
   const double cosine = std::cos(this->Sun.Elevation);
-  // Horizons below the lowest point of the disc, or above the highest, need no closer look; the
-  // next floats outward, since these are rounded.
+  // Only horizons between the lowest and the highest point of the disc need the exact computation.
+  // The limits are moved outwards to the next floats, because they are rounded.
   const float infinite = std::numeric_limits<float>::infinity();
   const float lowest = std::nextafter(SlopeOf(this->Sun.Elevation - this->Sun.Radius), -infinite);
   const float highest = std::nextafter(SlopeOf(this->Sun.Elevation + this->Sun.Radius), infinite);
@@ -168,7 +168,7 @@ void SunAccumulator::AddSame(std::ptrdiff_t post, std::ptrdiff_t count, const fl
     const std::ptrdiff_t size = std::min(Block, count - begin);
     float last[Block], hidden[Block];
     int cut = 0, covered = 0;
-    // No branches here: the compiler takes a whole block as vectors.
+    // Without branches, so that the compiler vectorises a whole block.
     const auto look = [&](std::ptrdiff_t end)
     {
       for (std::ptrdiff_t i = 0; i < end; ++i)
@@ -236,8 +236,9 @@ void SunAccumulator::AddEach(
   {
     const std::ptrdiff_t size = std::min(Piece, count - begin);
     this->Directions(row, column + begin, size, x, y, z);
-    // Most azimuths pass by most discs. Seen from the sun's azimuth, an end of the interval has the
-    // sine `side` and the cosine `ahead`, both times the cosine of the sun's elevation.
+    // For most azimuths, most discs lie elsewhere. Relative to the azimuth of the sun, an end of
+    // the interval has the sine `side` and the cosine `ahead`, both times the cosine of the
+    // elevation of the sun.
     for (std::ptrdiff_t i = 0; i < size; ++i)
     {
       const float side0 = sin0 * y[i] - cos0 * x[i], ahead0 = sin0 * x[i] + cos0 * y[i];
@@ -279,8 +280,8 @@ void SunAccumulator::AddOne(
   float& lit = this->Result(post);
   float& hidden = this->Hidden[static_cast<std::size_t>(post)];
   const double reach = std::sin(this->Sun.Radius);
-  // Above the disc: rise >= tan(radius) run, where rise and run are the components of a horizon's
-  // direction across and along the direction to the sun.
+  // The horizon is above the disc if rise >= tan(radius) run, where rise and run are the components
+  // of the direction to the horizon across and along the direction to the sun.
   const double rise0 = first * cosine - sine, run0 = cosine + first * sine;
   const double rise1 = last * cosine - sine, run1 = cosine + last * sine;
   const double tangent = std::tan(this->Sun.Radius);
@@ -297,7 +298,9 @@ void SunAccumulator::AddOne(
     return;
   }
   const double half = std::sin(0.5 * this->Sun.Radius);
-  const double disc = 4.0 * Pi * half * half * (1.0 - this->LimbDarkening / 3.0); // all its light
+  const double disc =
+    4.0 * Pi * half * half * (1.0 - this->LimbDarkening / 3.0); // all light of the
+                                                                // disc
   const double from = std::atan2(side0, ahead0);
   slice.Set({ 0.0, std::atan2(sine, cosine), this->Sun.Radius }, from, from + this->Interval,
     this->LimbDarkening);
@@ -318,8 +321,8 @@ void SunAccumulator::Finish(std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd)
     float& result = this->Result(post);
     const float hidden = this->Hidden ? this->Hidden[static_cast<std::size_t>(post)] : result;
     const float lit = this->Hidden ? result : this->Whole - hidden;
-    // 0 / 0, and so NaN, where no azimuth met the disc. Light hidden twice or not at all by
-    // rounding stays within the disc.
+    // 0 / 0, and so NaN, if no azimuth met the disc. Clamped, because light may be counted twice or
+    // not at all due to rounding.
     result =
       hidden <= 0.0f && lit > 0.0f ? 1.0f : std::max(lit, 0.0f) / (std::max(lit, 0.0f) + hidden);
   }

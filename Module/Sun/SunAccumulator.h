@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much of the sun's disc stands above the horizon of each post.
+// Sun visibility: the share of the disc of the sun above the horizon of each post.
 #ifndef skyline_SunAccumulator_h
 #define skyline_SunAccumulator_h
 
@@ -15,33 +15,33 @@
 namespace skyline
 {
 
-/// Writes unit vectors to the sun (x east, y north, z up, on the grid's axes) of the posts
-/// (column .. column + count - 1, row); called from many threads.
+/// Writes unit vectors to the sun (x east, y north, z up, on the axes of the grid) for the posts
+/// (column .. column + count - 1, row). Called from many threads.
 using SunDirections = std::function<void(
   std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t count, float* x, float* y, float* z)>;
 
-/// The lit fraction of a disc over the horizon curve, linear in elevation between the azimuths: 0
-/// to 1, exactly 0 or 1 where all or nothing is covered. Feed it rising azimuths, those of
-/// SunAzimuths or closer ones (never more than a right angle apart), over every swath; the disc's
-/// part outside of them is left out, and a post whose disc lies outside of all gets NaN. Widths are
-/// ignored.
+/// The visible share of the disc of the sun, 0 to 1, exactly 0 or 1 if all or nothing is hidden.
+/// The horizon is linear in elevation between azimuths. Azimuths must be added in rising order:
+/// those of SunAzimuths or closer ones (at most a right angle apart), over all swaths of the sun.
+/// Parts of the disc outside these azimuths are left out; a post whose disc lies entirely outside
+/// gets NaN. The widths passed to Begin are ignored.
 ///
-/// Sunlight, as that of the sky, comes from above the horizontal plane alone: a horizon below 0
-/// counts as 0. What lies beyond the data is unknown, and without it a midnight sun would light
-/// every post that looks down to the edge.
+/// Like the light of the sky, sunlight comes only from above the horizontal plane: a horizon below
+/// 0 counts as 0. Terrain beyond the data is unknown; otherwise a midnight sun would light all
+/// posts that look down to the edge of the data.
 ///
-/// With radius 0 the sun is a point: lit or not at its own azimuth, or at the azimuth given first
-/// if its own is outside of all.
+/// With radius 0 the sun is a point, which is visible or hidden at its own azimuth, or at the first
+/// azimuth if its own lies outside all of them.
 ///
-/// Memory: one float a post beside the result, two if the sun differs from post to post.
+/// Memory: one float per post beside the result, or two if the sun differs from post to post.
 class SKYLINECORE_EXPORT SunAccumulator : public Accumulator
 {
 public:
-  /// The same sun over all posts.
+  /// The same sun at all posts.
   SunAccumulator(std::ptrdiff_t columns, std::ptrdiff_t rows, const SunDisc& sun,
     const PostBuffer& visibility, double limbDarkening = 0.0);
 
-  /// A sun for each post, of one radius (radians, 0 up to pi/2).
+  /// A sun for each post, all with one radius (radians, 0 to pi/2).
   SunAccumulator(std::ptrdiff_t columns, std::ptrdiff_t rows, const SunDirections& directions,
     double radius, const PostBuffer& visibility, double limbDarkening = 0.0);
 
@@ -63,23 +63,26 @@ private:
 
   std::ptrdiff_t Columns;
   SunDisc Sun;
-  SunDirections Directions; ///< empty: Sun is everywhere
-  PostBuffer Visibility;    ///< until Finish: light hidden (one sun) or lit (a sun for each post)
+  SunDirections Directions; ///< empty: Sun is used at all posts
+  PostBuffer Visibility;    ///< before Finish: hidden light (one sun) or visible light (a sun for
+                            ///< each post)
   double LimbDarkening;
-  std::unique_ptr<float[]> Previous; ///< slopes of the azimuth before
-  std::unique_ptr<float[]> Hidden;   ///< light hidden, if there is a sun for each post
+  std::unique_ptr<float[]> Previous; ///< slopes in the previous azimuth
+  std::unique_ptr<float[]> Hidden;   ///< hidden light, if there is a sun for each post
 
   bool Started = false;          ///< an azimuth has begun
   bool First = true;             ///< the current azimuth is the first
-  double Azimuth = 0.0;          ///< the current one
-  double Before = 0.0;           ///< the one before
-  double Interval = 0.0;         ///< from the azimuth before, radians
-  double Sin0 = 0.0, Cos0 = 1.0; ///< sine and cosine of the azimuth before
-  double Sin1 = 0.0, Cos1 = 1.0; ///< and of the current one
-  DiscSlice Slice;               ///< of the one sun, in the interval
+  double Azimuth = 0.0;          ///< the current azimuth
+  double Before = 0.0;           ///< the previous azimuth
+  double Interval = 0.0;         ///< width from the previous azimuth, radians
+  double Sin0 = 0.0, Cos0 = 1.0; ///< sine and cosine of the previous azimuth
+  double Sin1 = 0.0, Cos1 = 1.0; ///< sine and cosine of the current azimuth
+  DiscSlice Slice;               ///< part of the disc in the interval, for one sun
   float SliceLight = 0.0f;
-  double PointPlace = -1.0; ///< of a sun of radius 0 in the interval, 0 to 1; below 0: outside
-  float Whole = 0.0f;       ///< of the one sun so far, summed like its hidden light
+  double PointPlace = -1.0; ///< position of a sun of radius 0 in the interval, 0 to 1; below 0:
+                            ///< outside
+  float Whole = 0.0f;       ///< light of the one sun so far, summed in the same way as its hidden
+                            ///< light
 };
 
 } // namespace skyline

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points at elevation e in the vertical plane of azimuth offset a lie cos r from the disc's centre
-// (elevation s) where  sin e sin s + cos e cos s cos a = cos r, that is C cos(e - p) = cos r with
+// Points at the elevation e in the vertical plane of the azimuth offset a lie at an angle r from
+// the centre of the disc (elevation s) if  sin e sin s + cos e cos s cos a = cos r,  that is C
+// cos(e - p) = cos r with
 //   C^2 = 1 - cos^2 s sin^2 a,   tan p = sin s / (cos s cos a).
-// Everything is written from the centre and in differences that do not cancel; v = 1 - cos a:
+// All values are relative to the centre and use differences that do not cancel. With v = 1 - cos a:
 //   tan(p - s) = sin s cos s v / (1 - cos^2 s v)
 //   half chord = atan2(sqrt(sin^2 r - cos^2 s sin^2 a), cos r)
 #include "Sun/SunDisc.h"
@@ -18,17 +19,19 @@ namespace skyline
 namespace
 {
 
-/// Intervals that the swath of a sun is cut into.
+/// Number of intervals into which the swath of a sun is divided.
 constexpr int IntervalsPerSwath = 16;
 
-/// Intervals of the circle when the zenith or the nadir lies in the disc: 15 degrees each.
+/// Number of intervals of the full circle if the zenith or the nadir lies in the disc: 15 degrees
+/// each.
 constexpr int IntervalsPerCircle = 24;
 
-/// Chords are integrated by three-point Gauss rules, each over at most this part of the disc (in
-/// the angle t of  azimuth = half swath * sin t, which makes the round ends of the disc smooth).
+/// Chords are integrated by three-point Gauss rules, each over at most this part of the disc, as an
+/// angle t with azimuth = half swath * sin t, which makes the integrand smooth at the round ends of
+/// the disc.
 constexpr double LargestPiece = Pi / 8.0;
 
-/// Below this angle (radians) five terms of the sine and cosine series leave 1e-17.
+/// Below this angle (radians), five terms of the sine and cosine series have an error of 1e-17.
 constexpr double SmallAngle = 0.05;
 
 } // namespace
@@ -61,7 +64,7 @@ DiscChord ChordOfDisc(const SunDisc& disc, double azimuthFromCentre)
   return chord;
 }
 
-/// sin(elevation + angle) - sin(elevation): solid angle per azimuth between the two.
+/// sin(elevation + angle) - sin(elevation): solid angle per azimuth between both elevations.
 double DiscSlice::Rise(double angle) const
 {
   if (std::abs(angle) < SmallAngle)
@@ -76,9 +79,9 @@ double DiscSlice::Rise(double angle) const
   return this->CosElevation * std::sin(angle) - this->SinElevation * 2.0 * half * half;
 }
 
-/// Light per azimuth of the chord below an angle, up to a constant of the chord. With q counted
-/// from the chord's middle m and half length d, mu = sqrt(d^2 - q^2) / r, and cos e = cos m - q sin
-/// m but for q^2 / 2:
+/// Light per azimuth of the chord below an angle, except for a constant of the chord. With q
+/// measured from the middle m of the chord, half its length d and mu = sqrt(d^2 - q^2) / r, cos e =
+/// cos m - q sin m except for terms in q^2 / 2:
 ///   Int mu cos e dq = { cos m [q sqrt(d^2 - q^2) + d^2 asin(q / d)] / 2
 ///                       + sin m (d^2 - q^2)^(3/2) / 3 } / r
 double DiscSlice::LightBelow(const DiscChord& chord, double angle) const
@@ -117,7 +120,7 @@ void DiscSlice::Set(const SunDisc& disc, double from, double to, double limbDark
   {
     return;
   }
-  // A disc around the zenith has no ends: plain pieces of azimuth.
+  // A disc around the zenith has no ends and is integrated directly over azimuth.
   const double first = circle ? begin : std::asin(begin / swath);
   const double last = circle ? end : std::asin(end / swath);
   const auto pieces = std::max(1.0, std::ceil((last - first) / LargestPiece - 1e-9));

@@ -17,8 +17,8 @@ namespace skyline
 namespace
 {
 
-/// Suns closer than this (degrees) everywhere are one: rounding of a raster whose axes are at right
-/// angles.
+/// If all directions differ by less than this (degrees), the sun is the same at all posts: the
+/// differences are rounding errors of a raster with perpendicular axes.
 constexpr double SameDirection = 1e-6;
 
 SunVector FromAngles(double azimuth, double elevation)
@@ -27,7 +27,7 @@ SunVector FromAngles(double azimuth, double elevation)
   return { std::cos(e) * std::sin(a), std::cos(e) * std::cos(a), std::sin(e) };
 }
 
-/// Degrees between two directions of about unit length.
+/// Degrees between two vectors of approximately unit length.
 double Angle(const SunVector& a, const SunVector& b)
 {
   const double x = a.Y * b.Z - a.Z * b.Y, y = a.Z * b.X - a.X * b.Z, z = a.X * b.Y - a.Y * b.X;
@@ -48,7 +48,7 @@ SunField::SunField(
 {
   if (place.OnBody() && !place.Earth)
   {
-    throw std::invalid_argument("the sun's place at " + ToText(time) +
+    throw std::invalid_argument("the sun's position at " + ToText(time) +
       " is known for the Earth only; on another body give the sun's azimuth and elevation");
   }
   const SunEphemeris ephemeris(time, ut1MinusUtc);
@@ -170,7 +170,7 @@ void SunField::AzimuthBounds(double& first, double& last) const
   }
   std::sort(azimuths.begin(), azimuths.end());
 
-  // The arc is what the widest gap leaves over.
+  // The arc is the full circle without the widest gap.
   first = azimuths.front();
   last = azimuths.back();
   double widest = first + 360.0 - last;
@@ -183,7 +183,7 @@ void SunField::AzimuthBounds(double& first, double& last) const
       last = azimuths[i - 1] + 360.0;
     }
   }
-  // Directions that no half-plane holds have the zenith among them.
+  // If no half plane contains all directions, the zenith lies among them.
   if (widest < 180.0)
   {
     first = 0.0;

@@ -26,7 +26,8 @@ SunEphemeris::SunEphemeris(const UtcTime& time, double ut1MinusUtc)
       " is outside the sun's ephemeris (1900-01-01 to 2100-01-01); give a time in these years");
   }
 
-  // From the Earth to the sun. The sun hardly moves in the 8 minutes its light takes (0.01 arcsec).
+  // From the Earth to the sun. The sun moves only 0.01 arcseconds in the 8 minutes that its light
+  // takes.
   double distance = 0.0, natural[3];
   double earthToSun[3] = { -heliocentric[0][0], -heliocentric[0][1], -heliocentric[0][2] };
   eraPn(earthToSun, &distance, natural);
@@ -34,7 +35,8 @@ SunEphemeris::SunEphemeris(const UtcTime& time, double ut1MinusUtc)
   double velocity[3], speed2 = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    velocity[axis] = barycentric[1][axis] * ERFA_AULT / ERFA_DAYSEC; // AU/day to light's speed
+    velocity[axis] = barycentric[1][axis] * ERFA_AULT / ERFA_DAYSEC; // from AU/day to units of the
+                                                                     // speed of light
     speed2 += velocity[axis] * velocity[axis];
   }
   double proper[3];

@@ -17,7 +17,7 @@ namespace
 
 constexpr int MinutesPerDay = 24 * 60;
 
-/// Reads a text from left to right; free of the locale, which strtod is not.
+/// Reads a text from left to right, independent of the locale, unlike strtod.
 class Reader
 {
 public:
@@ -43,7 +43,7 @@ public:
     }
   }
 
-  /// Exactly `digits` digits whose number lies within [low, high].
+  /// Reads exactly `digits` digits, whose number must lie within [low, high].
   int Number(int digits, int low, int high, const char* what)
   {
     int value = 0;
@@ -63,7 +63,7 @@ public:
     return value;
   }
 
-  /// The digits after a decimal mark as a number in [0, 1).
+  /// Reads the digits after a decimal mark as a number in [0, 1).
   double Fraction()
   {
     if (!this->DigitNext())
@@ -76,7 +76,7 @@ public:
       unit *= 0.1;
       value += unit * (this->Text[this->Position++] - '0');
     }
-    // A long row of nines rounds up to the next second, which may not exist.
+    // Many nines would round up to the next second, which may not exist.
     return std::min(value, 1.0 - 1e-12);
   }
 
@@ -96,7 +96,7 @@ private:
   std::size_t Position = 0;
 };
 
-/// Minutes that the written clock is ahead of UTC.
+/// Reads the time zone: minutes by which the written time is ahead of UTC.
 int ReadZone(Reader& reader)
 {
   if (reader.AtEnd())
@@ -127,7 +127,7 @@ int ReadZone(Reader& reader)
   return behind ? -minutes : minutes;
 }
 
-/// Takes `minutes`, less than a day of them, off the time.
+/// Subtracts `minutes`, less than a day, from the time.
 void Subtract(int minutes, UtcTime& time)
 {
   int minute = 60 * time.Hour + time.Minute - minutes;
@@ -141,13 +141,14 @@ void Subtract(int minutes, UtcTime& time)
   time.Minute = minute % 60;
 }
 
-/// True when the day of `time` ends with a leap second and `time` is in its last minute.
+/// Returns true if the day of `time` ends with a leap second and `time` is in its last minute.
 bool InLeapSecondMinute(const UtcTime& time)
 {
   double day = 0.0, fraction = 0.0;
   const int status = eraDtf2d(
     "UTC", time.Year, time.Month, time.Day, time.Hour, time.Minute, time.Second, &day, &fraction);
-  // 0 and 1 (an old or far year) are good; 2 and 3 say that the day has ended before.
+  // 0 and 1 (a year in the far past or future) are valid; 2 and 3 mean that the day has already
+  // ended.
   return time.Hour == 23 && time.Minute == 59 && (status == 0 || status == 1);
 }
 
@@ -167,7 +168,7 @@ UtcTime ParseUtcTime(const std::string& text)
     return time;
   }
 
-  if (!reader.Accept(' ')) // as Python, pandas and GNU date print it
+  if (!reader.Accept(' ')) // the form of Python, pandas and GNU date
   {
     reader.Expect('T');
   }
@@ -196,13 +197,13 @@ UtcTime ParseUtcTime(const std::string& text)
 
 bool NamesZone(const std::string& text)
 {
-  constexpr std::size_t date = 10; // characters of the date, whose hyphens name no zone
+  constexpr std::size_t date = 10; // characters of the date, whose hyphens do not begin a zone
   return text.size() > date && text.find_first_of("ZU+-", date) != std::string::npos;
 }
 
 std::string ToText(const UtcTime& time)
 {
-  // A hair more than the number, so that 30.1 does not become 30.099.
+  // A small amount is added so that 30.1 does not become 30.099.
   constexpr double hair = 1e-6;
   const double last = time.Second < 60.0 ? 59999.0 : 60999.0;
   const double second = time.Second >= 0.0 ? time.Second : 0.0; // 0 for NaN too

@@ -33,7 +33,7 @@ TEST(MemoryDemand, NamesBytesAndCure)
   catch (const std::runtime_error& reason)
   {
     EXPECT_STREQ(reason.what(),
-      "horizons of 40000 x 40000 posts take 236.8 GB more (148 bytes a post) and 17.0 GB are free; "
+      "horizons of 40000 x 40000 posts take 236.8 GB more (148 bytes per post) and 17.0 GB are free; "
       "ask for less at a time, cut the raster (gdal_translate -srcwin) or make it coarser (-tr)");
   }
 }

@@ -264,7 +264,7 @@ TEST(VisibilityFilter, RefusesWhatItCannotDo)
       f->SetMethodToPyramid();
       f->SetLevelStep(0.0);
     },
-    "levels an octave");
+    "levels per octave");
 }
 
 } // namespace

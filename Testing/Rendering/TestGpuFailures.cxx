@@ -315,7 +315,7 @@ TEST_F(GpuContexts, BadSettingsAreErrorsAsOnTheHost)
     }
     gpu->SetNumberOfAzimuths(4);
     gpu->SetLevelStep(99.0);
-    ExpectRefused(gpu, pair.Errors, "levels an octave");
+    ExpectRefused(gpu, pair.Errors, "levels per octave");
     gpu->SetLevelStep(4.0);
     gpu->SetLevelOffset(-1.0);
     ExpectRefused(gpu, pair.Errors, "level offset");

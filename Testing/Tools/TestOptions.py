@@ -279,8 +279,8 @@ class Options(ToolTest):
                         self.assertIn(f"; did you mean {near}?", line)
 
     def test_messages_name_what_is_wrong(self):
-        for value, says in [("-inf", "is no number"), ("nan", "is no number"), ("1 ", "is no number"),
-                            ("one", "is no number"),
+        for value, says in [("-inf", "is not a number"), ("nan", "is not a number"), ("1 ", "is not a number"),
+                            ("one", "is not a number"),
                             ("0,5", "write 0.5, with a point"), ("5deg", "leave deg out"),
                             ("1e999", "1e999 is too large or too small for a number"),
                             ("95", "out of range; give 0 to 90 degrees")]:

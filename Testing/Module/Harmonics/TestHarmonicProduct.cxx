@@ -83,7 +83,7 @@ TEST(HarmonicProduct, BandsOutOfRange)
     catch (const std::invalid_argument& failure)
     {
       EXPECT_EQ(
-        failure.what(), std::to_string(bands) + " bands of spherical harmonics; take 2 to 8");
+        failure.what(), std::to_string(bands) + " bands of spherical harmonics; give 2 to 8");
     }
   }
 }

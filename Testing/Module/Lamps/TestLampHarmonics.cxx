@@ -198,7 +198,7 @@ TEST(LampHarmonics, ErrorByLevelStep)
     settings.Levels.LevelStep = step;
     settings.Levels.LevelOffset = 4.0; // as in the figures of THESIS
     errors[step] = RelativeRms(ByHarmonics(kernel, scene.Lamps, settings), exact);
-    std::printf("cones v2, order 4, %d levels an octave: %.4f\n", step, errors[step]);
+    std::printf("cones v2, order 4, %d levels per octave: %.4f\n", step, errors[step]);
   }
   EXPECT_LT(errors[4], errors[1]);
   EXPECT_LT(errors[4], 0.1);

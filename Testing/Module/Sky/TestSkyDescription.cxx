@@ -69,7 +69,7 @@ TEST(SkyDescription, RefusesWithTextAndCure)
   for (const std::string text : { "perez:", "perez:1", "perez:1,0", "perez:-1,1", "perez:1,2,3" })
   {
     EXPECT_EQ(
-      Refusal(text), text + " is no sky; give perez:DIRECT,DIFFUSE in W/m2, diffuse above 0");
+      Refusal(text), text + " is not a sky; give perez:DIRECT,DIFFUSE in W/m2, diffuse above 0");
   }
   EXPECT_EQ(Refusal("unifrom"), "no sky and no file is named unifrom; did you mean uniform?");
   EXPECT_NE(Refusal("none").find("give uniform, cie:1"), std::string::npos);
