@@ -50,11 +50,11 @@ Result TimeUpdates(
     vtkSMPTools::Initialize(threads);
   }
   const PeakMemory memory;
-  Laps laps;
-  while (laps.Next(effort.Repeats, effort.Seconds))
+  RepeatTimer timer;
+  while (timer.Next(effort.Repeats, effort.Seconds))
   {
     Touch(heights);
-    laps.Search([&] { filter->Update(); });
+    timer.Search([&] { filter->Update(); });
     if (!reason.empty())
     {
       throw std::runtime_error(ErrorReason(reason));
@@ -62,7 +62,7 @@ Result TimeUpdates(
   }
   Result result;
   result.FloatsPerPost = memory.FloatsPerPost(static_cast<double>(heights->GetNumberOfPoints()));
-  laps.Report(result, count);
+  timer.Report(result, count);
   result.PrepareNs = result.SearchNs = NotMeasured;
   result.Threads = threads;
   if (threads != 1) // the clock measures the calling thread only

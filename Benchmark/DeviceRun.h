@@ -3,8 +3,8 @@
 #ifndef skyline_DeviceRun_h
 #define skyline_DeviceRun_h
 
+#include "ReferenceScene.h"
 #include "Result.h"
-#include "Stage.h"
 
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
 

@@ -26,7 +26,7 @@ std::string EmbreeVersion()
   return "not built in";
 }
 
-Result MeasureEmbree(const Scene&, const Truth&, double, int)
+Result MeasureEmbree(const Scene&, const ReferenceHorizons&, double, int)
 {
   throw std::runtime_error("not built in");
 }
@@ -65,7 +65,8 @@ std::string EmbreeVersion()
   return RTC_VERSION_STRING;
 }
 
-Result MeasureEmbree(const Scene& scene, const Truth& truth, double accuracy, int repeats)
+Result MeasureEmbree(
+  const Scene& scene, const ReferenceHorizons& truth, double accuracy, int repeats)
 {
   const PeakMemory memory;
   const double start = ProcessCpu();
@@ -81,11 +82,11 @@ Result MeasureEmbree(const Scene& scene, const Truth& truth, double accuracy, in
     directions.push_back(oracle::DirectionOfAzimuth(azimuth));
   }
   const std::vector<std::ptrdiff_t> runs = RunsOfPosts(scene.Field, truth.Posts.size());
-  Laps laps;
+  RepeatTimer timer;
   volatile double last = 0.0; // prevents the compiler from removing the computation
-  while (laps.Next(repeats, std::numeric_limits<double>::infinity()))
+  while (timer.Next(repeats, std::numeric_limits<double>::infinity()))
   {
-    laps.Search(
+    timer.Search(
       [&]
       {
         for (const std::ptrdiff_t post : runs)
@@ -99,7 +100,7 @@ Result MeasureEmbree(const Scene& scene, const Truth& truth, double accuracy, in
         }
       });
   }
-  laps.Report(result, static_cast<double>(runs.size() * directions.size()));
+  timer.Report(result, static_cast<double>(runs.size() * directions.size()));
 
   result.PrepareNs = NotMeasured;
 

@@ -3,8 +3,8 @@
 #ifndef skyline_EmbreeHorizon_h
 #define skyline_EmbreeHorizon_h
 
+#include "ReferenceHorizons.h"
 #include "Result.h"
-#include "Truth.h"
 
 #include <string>
 
@@ -22,7 +22,8 @@ std::string EmbreeVersion();
 /// bracket starts at the horizon of the previous azimuth, as in HORAYZON (Steger, Steger and Schaer
 /// 2022), grows, and is then halved until its width is twice the accuracy. Throws
 /// std::runtime_error("not built in") without Embree.
-Result MeasureEmbree(const Scene& scene, const Truth& truth, double accuracy, int repeats);
+Result MeasureEmbree(
+  const Scene& scene, const ReferenceHorizons& truth, double accuracy, int repeats);
 
 } // namespace benchmark
 } // namespace skyline

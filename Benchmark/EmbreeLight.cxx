@@ -22,12 +22,12 @@ namespace benchmark
 
 #ifndef SKYLINE_EMBREE
 
-Result MeasureEmbreeSun(Stage&, SunScore::Kind)
+Result MeasureEmbreeSun(ReferenceScene&, SunScore::Kind)
 {
   throw std::runtime_error("not built in");
 }
 
-Result MeasureEmbreeLamp(Stage&, int)
+Result MeasureEmbreeLamp(ReferenceScene&, int)
 {
   throw std::runtime_error("not built in");
 }
@@ -79,7 +79,7 @@ double BallLight(const EmbreeCaster& caster, const oracle::OracleField& field, s
 
 } // namespace
 
-Result MeasureEmbreeSun(Stage& stage, SunScore::Kind kind)
+Result MeasureEmbreeSun(ReferenceScene& stage, SunScore::Kind kind)
 {
   const oracle::OracleField& field = stage.Scene.Field;
   const auto posts = static_cast<std::ptrdiff_t>(field.Heights.size());
@@ -98,10 +98,10 @@ Result MeasureEmbreeSun(Stage& stage, SunScore::Kind kind)
   }
   // As in our filters, the planes of the posts are computed only if the irradiance is wanted.
   std::vector<std::vector<float>> light(Suns.size(), std::vector<float>(field.Heights.size()));
-  Laps laps;
-  while (laps.Next(stage.Work.Repeats, stage.Work.Seconds))
+  RepeatTimer timer;
+  while (timer.Next(stage.Work.Repeats, stage.Work.Seconds))
   {
-    laps.Search(
+    timer.Search(
       [&]
       {
         for (std::size_t sun = 0; sun < rays.size(); ++sun)
@@ -118,7 +118,7 @@ Result MeasureEmbreeSun(Stage& stage, SunScore::Kind kind)
         }
       });
   }
-  laps.Report(result, static_cast<double>(posts) * static_cast<double>(Suns.size()));
+  timer.Report(result, static_cast<double>(posts) * static_cast<double>(Suns.size()));
   result.FloatsPerPost = memory.FloatsPerPost(static_cast<double>(posts));
   SunScore score(stage, kind);
   for (std::size_t sun = 0; sun < Suns.size(); ++sun)
@@ -129,10 +129,10 @@ Result MeasureEmbreeSun(Stage& stage, SunScore::Kind kind)
   return result;
 }
 
-Result MeasureEmbreeLamp(Stage& stage, int side)
+Result MeasureEmbreeLamp(ReferenceScene& stage, int side)
 {
   const oracle::OracleField& field = stage.Scene.Field;
-  const LightTruth& truth = stage.LampLight();
+  const ReferenceLight& truth = stage.LampLight();
   const LampAt lamp = stage.Lamp();
   const PeakMemory memory;
   Result result;
@@ -140,10 +140,10 @@ Result MeasureEmbreeLamp(Stage& stage, int side)
   const EmbreeCaster caster(field);
   result.BuildSeconds = ProcessCpu() - start;
   std::vector<double> light(truth.Posts.size());
-  Laps laps;
-  while (laps.Next(stage.Work.Repeats, stage.Work.Seconds))
+  RepeatTimer timer;
+  while (timer.Next(stage.Work.Repeats, stage.Work.Seconds))
   {
-    laps.Search(
+    timer.Search(
       [&]
       {
         shapes::Random random(11); // other rays than those of the reference
@@ -155,7 +155,7 @@ Result MeasureEmbreeLamp(Stage& stage, int side)
         }
       });
   }
-  laps.Report(result, static_cast<double>(truth.Posts.size()));
+  timer.Report(result, static_cast<double>(truth.Posts.size()));
   result.FloatsPerPost = memory.FloatsPerPost(static_cast<double>(field.Heights.size()));
   result.PrepareNs = result.SearchNs = NotMeasured;
   ErrorSum errors;

@@ -3,8 +3,8 @@
 #ifndef skyline_EmbreeLight_h
 #define skyline_EmbreeLight_h
 
+#include "ReferenceScene.h"
 #include "Result.h"
-#include "Stage.h"
 #include "SunScore.h"
 
 namespace skyline
@@ -13,11 +13,11 @@ namespace benchmark
 {
 
 /// One occlusion ray per post and sun, for all posts. Throws std::runtime_error without Embree.
-Result MeasureEmbreeSun(Stage& stage, SunScore::Kind kind);
+Result MeasureEmbreeSun(ReferenceScene& stage, SunScore::Kind kind);
 
 /// side x side rays per post, one at random in each of as many equal cells of the lamp's disc, for
 /// the posts of the reference.
-Result MeasureEmbreeLamp(Stage& stage, int side);
+Result MeasureEmbreeLamp(ReferenceScene& stage, int side);
 
 } // namespace benchmark
 } // namespace skyline

@@ -22,7 +22,7 @@ namespace
 
 // The error of the sky view factor. The reference value is the oracle's sum over the horizons of
 // `truth`.
-double SkyViewRmse(const Scene& scene, const Truth& truth, const float* found)
+double SkyViewRmse(const Scene& scene, const ReferenceHorizons& truth, const float* found)
 {
   constexpr std::size_t most = 256; // the oracle's sums are slow
   constexpr int steps = 500;
@@ -49,7 +49,7 @@ double SkyViewRmse(const Scene& scene, const Truth& truth, const float* found)
 
 } // namespace
 
-Result MeasureFusedSkyView(const Scene& scene, const Truth& truth, int repeats)
+Result MeasureFusedSkyView(const Scene& scene, const ReferenceHorizons& truth, int repeats)
 {
   const vtkSmartPointer<vtkImageData> image = ImageOf(scene.Field);
   vtkDataArray* heights = image->GetPointData()->GetScalars();
@@ -61,7 +61,7 @@ Result MeasureFusedSkyView(const Scene& scene, const Truth& truth, int repeats)
   }
   const double width = 2.0 * Pi / static_cast<double>(truth.Azimuths.size());
 
-  Laps laps;
+  RepeatTimer timer;
   const PeakMemory memory;
   std::unique_ptr<float[]> sky;
   for (int repeat = 0; repeat < repeats; ++repeat)
@@ -85,12 +85,12 @@ Result MeasureFusedSkyView(const Scene& scene, const Truth& truth, int repeats)
     // The driver measures the share of the preparation itself.
     const Seconds total{ end.Cpu - start.Cpu, end.Wall - start.Wall };
     const double share = driver.PrepareSeconds / total.Wall;
-    laps.Add({ share * total.Cpu, share * total.Wall },
+    timer.Add({ share * total.Cpu, share * total.Wall },
       { (1.0 - share) * total.Cpu, (1.0 - share) * total.Wall });
   }
   Result result;
   result.FloatsPerPost = memory.FloatsPerPost(static_cast<double>(posts));
-  laps.Report(result, static_cast<double>(posts * truth.Azimuths.size()));
+  timer.Report(result, static_cast<double>(posts * truth.Azimuths.size()));
   result.SkyViewRmse = SkyViewRmse(scene, truth, sky.get());
   result.Ran = true;
   return result;

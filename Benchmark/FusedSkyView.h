@@ -3,8 +3,8 @@
 #ifndef skyline_FusedSkyView_h
 #define skyline_FusedSkyView_h
 
+#include "ReferenceHorizons.h"
 #include "Result.h"
-#include "Truth.h"
 
 namespace skyline
 {
@@ -14,7 +14,7 @@ namespace benchmark
 /// Sums exact horizons, azimuth by azimuth, into the four quantities. The time covers everything
 /// from the image to the filled arrays (including heights, gradients and the transposed copy), on
 /// one thread.
-Result MeasureFusedSkyView(const Scene& scene, const Truth& truth, int repeats);
+Result MeasureFusedSkyView(const Scene& scene, const ReferenceHorizons& truth, int repeats);
 
 } // namespace benchmark
 } // namespace skyline

@@ -22,7 +22,7 @@ std::string GrassVersion()
   return line.rfind(name, 0) == 0 ? line.substr(name.size()) : "not installed";
 }
 
-Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths)
+Result MeasureGrass(const Scene& scene, const ReferenceHorizons& truth, int azimuths)
 {
   const std::string base = FirstLine("grass --config path 2>/dev/null");
   if (base.empty() || !std::filesystem::exists(base + "/bin/r.horizon"))
@@ -60,9 +60,9 @@ Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths)
     }
   }
   Result result;
-  Laps laps;
-  laps.Add({}, { sum.Cpu, sum.Wall });
-  laps.Report(result, static_cast<double>(field.Heights.size()) * azimuths);
+  RepeatTimer timer;
+  timer.Add({}, { sum.Cpu, sum.Wall });
+  timer.Report(result, static_cast<double>(field.Heights.size()) * azimuths);
   result.FloatsPerPost = FloatsPerPost(sum, field);
   result.PrepareNs = NotMeasured;
   result.SearchNs = NotMeasured;

@@ -3,8 +3,8 @@
 #ifndef skyline_GrassHorizon_h
 #define skyline_GrassHorizon_h
 
+#include "ReferenceHorizons.h"
 #include "Result.h"
-#include "Truth.h"
 
 #include <string>
 
@@ -19,7 +19,7 @@ std::string GrassVersion();
 /// Runs r.horizon over the whole raster in a few azimuths that are not on the axes. The CPU time
 /// includes reading and writing. The temporary location is removed afterwards. Throws
 /// std::runtime_error("not installed") if GRASS is missing.
-Result MeasureGrass(const Scene& scene, const Truth& truth, int azimuths);
+Result MeasureGrass(const Scene& scene, const ReferenceHorizons& truth, int azimuths);
 
 } // namespace benchmark
 } // namespace skyline

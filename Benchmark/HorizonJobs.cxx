@@ -29,9 +29,9 @@ namespace
 constexpr std::size_t ThinEvery = 8; // "every crossing" is slow and runs in every eighth azimuth
 constexpr int DeviceAzimuths = 16;   // half of those of the reference
 
-Result MeasureDevice(Stage& stage, bool pyramid)
+Result MeasureDevice(ReferenceScene& stage, bool pyramid)
 {
-  const Truth& truth = stage.Horizons();
+  const ReferenceHorizons& truth = stage.Horizons();
   const auto image = ImageOf(stage.Scene.Field);
   vtkNew<vtkOpenGLHeightFieldHorizon> filter;
   RequireDevice(filter->GetDevice());
@@ -65,9 +65,9 @@ Result MeasureDevice(Stage& stage, bool pyramid)
 class HorizonJobs
 {
 public:
-  HorizonJobs(std::vector<Job>& jobs, const StagePointer& stage)
+  HorizonJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
     : Jobs(jobs)
-    , Stage(stage)
+    , ReferenceScene(stage)
   {
   }
 
@@ -75,15 +75,15 @@ public:
     const std::function<Result()>& measure)
   {
     AddJob(
-      this->Jobs, this->Stage, "horizon", kind, label, settings, turn,
-      [stage = this->Stage] { stage->Horizons(); }, measure);
+      this->Jobs, this->ReferenceScene, "horizon", kind, label, settings, turn,
+      [stage = this->ReferenceScene] { stage->Horizons(); }, measure);
   }
 
   void AddKernel(const char* kind, const std::string& label, const std::string& settings, int turn,
     const HorizonSettings& how)
   {
     this->Add(kind, label, settings, turn,
-      [stage = this->Stage, how]
+      [stage = this->ReferenceScene, how]
       {
         return MeasureKernel(
           stage->Scene, stage->Horizons(),
@@ -99,7 +99,7 @@ public:
 
 private:
   std::vector<Job>& Jobs;
-  StagePointer Stage;
+  ReferenceScenePointer ReferenceScene;
 };
 
 void HorizonJobs::AddMethods()
@@ -125,7 +125,7 @@ void HorizonJobs::AddPeers(bool much)
 {
   this->Add("every", "every crossing", "plain loops, every eighth azimuth",
     much ? MainTurn : PeerTurn,
-    [stage = this->Stage]
+    [stage = this->ReferenceScene]
     {
       return MeasureKernel(
         stage->Scene, stage->Horizons(),
@@ -139,11 +139,11 @@ void HorizonJobs::AddPeers(bool much)
     std::snprintf(label, sizeof label, "Embree %.2f°", accuracy);
     this->Add("embree", label, "occlusion rays, bracket from the previous azimuth",
       accuracy > 0.1 && much ? MainTurn : PeerTurn,
-      [stage = this->Stage, accuracy]
+      [stage = this->ReferenceScene, accuracy]
       { return MeasureEmbree(stage->Scene, stage->Horizons(), accuracy, stage->Work.Repeats); });
   }
   this->Add("grass", "GRASS r.horizon", "-d, whole raster, with start and files", PeerTurn,
-    [stage = this->Stage] { return MeasureGrass(stage->Scene, stage->Horizons(), 1); });
+    [stage = this->ReferenceScene] { return MeasureGrass(stage->Scene, stage->Horizons(), 1); });
 }
 
 void HorizonJobs::AddTolerances()
@@ -181,7 +181,7 @@ void HorizonJobs::AddPyramids()
 
 } // namespace
 
-void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much)
+void AddHorizonJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage, bool much)
 {
   HorizonJobs all(jobs, stage);
   all.AddMethods();

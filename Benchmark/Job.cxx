@@ -42,7 +42,7 @@ const std::vector<std::string>& Kinds()
   return kinds;
 }
 
-void AddJob(std::vector<Job>& jobs, const StagePointer& stage, const char* quantity,
+void AddJob(std::vector<Job>& jobs, const ReferenceScenePointer& stage, const char* quantity,
   const char* kind, const std::string& label, const std::string& settings, int turn,
   std::function<void()> prepare, std::function<Result()> measure)
 {

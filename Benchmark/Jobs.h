@@ -4,7 +4,7 @@
 #define skyline_Jobs_h
 
 #include "Job.h"
-#include "Stage.h"
+#include "ReferenceScene.h"
 #include "vtkHeightFieldAlgorithm.h"
 
 #include <functional>
@@ -35,22 +35,22 @@ constexpr SearchMethod Searches[] = { { "exact", vtkHeightFieldAlgorithm::EXACT 
   { "fast", vtkHeightFieldAlgorithm::FAST }, { "sweep", vtkHeightFieldAlgorithm::SWEEP },
   { "pyramid", vtkHeightFieldAlgorithm::PYRAMID } };
 
-using StagePointer = std::shared_ptr<Stage>;
+using ReferenceScenePointer = std::shared_ptr<ReferenceScene>;
 
 /// Adds a job on a stage. The other arguments are those of Task and Job.
-void AddJob(std::vector<Job>& jobs, const StagePointer& stage, const char* quantity,
+void AddJob(std::vector<Job>& jobs, const ReferenceScenePointer& stage, const char* quantity,
   const char* kind, const std::string& label, const std::string& settings, int turn,
   std::function<void()> prepare, std::function<Result()> measure);
 
 /// `much`: whether to add further settings and the graphics processor.
-void AddHorizonJobs(std::vector<Job>& jobs, const StagePointer& stage, bool much);
-void AddSkyJobs(std::vector<Job>& jobs, const StagePointer& stage);
-void AddThreadJobs(std::vector<Job>& jobs, const StagePointer& stage);
-void AddIrradianceJobs(std::vector<Job>& jobs, const StagePointer& stage);
-void AddSunJobs(std::vector<Job>& jobs, const StagePointer& stage);
-void AddBeamJobs(std::vector<Job>& jobs, const StagePointer& stage);
-void AddLampJobs(std::vector<Job>& jobs, const StagePointer& stage);
-void AddFrameJobs(std::vector<Job>& jobs, const StagePointer& stage);
+void AddHorizonJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage, bool much);
+void AddSkyJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage);
+void AddThreadJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage);
+void AddIrradianceJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage);
+void AddSunJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage);
+void AddBeamJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage);
+void AddLampJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage);
+void AddFrameJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage);
 
 } // namespace benchmark
 } // namespace skyline

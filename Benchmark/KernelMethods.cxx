@@ -97,8 +97,8 @@ std::vector<std::size_t> ThinnedAzimuths(std::size_t count, std::size_t thin)
   return indices;
 }
 
-Result MeasureKernel(const Scene& scene, const Truth& truth, const MakeMethod& make, int repeats,
-  std::size_t thin, double seconds)
+Result MeasureKernel(const Scene& scene, const ReferenceHorizons& truth, const MakeMethod& make,
+  int repeats, std::size_t thin, double seconds)
 {
   const Grid grid = testing::GridOf(scene.Field);
   const auto posts = static_cast<double>(grid.Columns * grid.Rows);
@@ -108,18 +108,18 @@ Result MeasureKernel(const Scene& scene, const Truth& truth, const MakeMethod& m
   Driver driver(*method);
   const std::vector<std::size_t> azimuths = ThinnedAzimuths(truth.Azimuths.size(), thin);
 
-  Laps laps;
-  while (laps.Next(repeats, seconds))
+  RepeatTimer timer;
+  while (timer.Next(repeats, seconds))
   {
     for (const std::size_t azimuth : azimuths)
     {
-      laps.Prepare([&] { driver.Prepare(grid, truth.Azimuths[azimuth]); });
-      laps.Search([&] { driver.Search([](std::ptrdiff_t, const float*) {}); });
+      timer.Prepare([&] { driver.Prepare(grid, truth.Azimuths[azimuth]); });
+      timer.Search([&] { driver.Search([](std::ptrdiff_t, const float*) {}); });
     }
   }
   Result result;
   result.FloatsPerPost = memory.FloatsPerPost(posts);
-  laps.Report(result, posts * static_cast<double>(azimuths.size()));
+  timer.Report(result, posts * static_cast<double>(azimuths.size()));
 
   ErrorSum errors;
   for (const std::size_t azimuth : azimuths)

@@ -4,8 +4,8 @@
 #define skyline_KernelMethods_h
 
 #include "Horizon/HorizonMethod.h"
+#include "ReferenceHorizons.h"
 #include "Result.h"
-#include "Truth.h"
 
 #include <functional>
 #include <memory>
@@ -23,8 +23,8 @@ std::vector<std::size_t> ThinnedAzimuths(std::size_t count, std::size_t thin);
 
 /// Errors, times and memory of one method, which runs in all azimuths of the reference or in a part
 /// of them. No repeat begins after `seconds`.
-Result MeasureKernel(const Scene& scene, const Truth& truth, const MakeMethod& make, int repeats,
-  std::size_t thin = 1, double seconds = 1e9);
+Result MeasureKernel(const Scene& scene, const ReferenceHorizons& truth, const MakeMethod& make,
+  int repeats, std::size_t thin = 1, double seconds = 1e9);
 
 } // namespace benchmark
 } // namespace skyline

@@ -18,7 +18,7 @@ namespace benchmark
 namespace
 {
 
-Result MeasureLamp(Stage& stage, const LampSettings& settings)
+Result MeasureLamp(ReferenceScene& stage, const LampSettings& settings)
 {
   const oracle::OracleField& field = stage.Scene.Field;
   const Grid grid = testing::GridOf(field);
@@ -34,12 +34,12 @@ Result MeasureLamp(Stage& stage, const LampSettings& settings)
   lamp.Y = at.Y;
   lamp.Z = at.Z - testing::BaseOf(field);
   lamp.Radius = at.Radius;
-  Laps laps;
+  RepeatTimer timer;
   const PeakMemory memory;
-  while (laps.Next(stage.Work.Repeats, stage.Work.Seconds))
+  while (timer.Next(stage.Work.Repeats, stage.Work.Seconds))
   {
     light.assign(3 * count, 0.0f);
-    laps.Search(
+    timer.Search(
       [&]
       {
         const LampTerrain terrain(posts);
@@ -49,9 +49,9 @@ Result MeasureLamp(Stage& stage, const LampSettings& settings)
   }
   Result result;
   result.FloatsPerPost = memory.FloatsPerPost(static_cast<double>(count));
-  laps.Report(result, static_cast<double>(count));
+  timer.Report(result, static_cast<double>(count));
   result.PrepareNs = result.SearchNs = NotMeasured;
-  const LightTruth& truth = stage.LampLight();
+  const ReferenceLight& truth = stage.LampLight();
   ErrorSum errors;
   for (std::size_t i = 0; i < truth.Posts.size(); ++i)
   {
@@ -69,7 +69,7 @@ Result MeasureLamp(Stage& stage, const LampSettings& settings)
 
 } // namespace
 
-void AddLampJobs(std::vector<Job>& jobs, const StagePointer& stage)
+void AddLampJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
 {
   for (const int azimuths : { 32, 8, 2 })
   {

@@ -46,14 +46,14 @@ vtkSmartPointer<vtkHeightFieldSkyView> MakeSkyView(int method, int azimuths)
   return filter;
 }
 
-Result MeasureSky(Stage& stage, int method, int azimuths)
+Result MeasureSky(ReferenceScene& stage, int method, int azimuths)
 {
   const auto filter = MakeSkyView(method, azimuths);
   const auto image = ImageOf(stage.Scene.Field);
   filter->SetInputData(image);
   Result result =
     TimeUpdates(filter, image, stage.Work, static_cast<double>(stage.Scene.Field.Heights.size()));
-  const Truth& truth = stage.DenseHorizons();
+  const ReferenceHorizons& truth = stage.SkyHorizons();
   ErrorSum errors;
   for (std::size_t i = 0; i < truth.Posts.size(); ++i)
   {
@@ -65,19 +65,19 @@ Result MeasureSky(Stage& stage, int method, int azimuths)
 }
 
 // Errors and cost of the sky view factors of another program.
-Result OfProgram(Stage& stage, const Cost& cost, const std::vector<float>& found)
+Result OfProgram(ReferenceScene& stage, const Cost& cost, const std::vector<float>& found)
 {
   ErrorSum errors;
-  const Truth& truth = stage.DenseHorizons();
+  const ReferenceHorizons& truth = stage.SkyHorizons();
   for (std::size_t i = 0; i < truth.Posts.size(); ++i)
   {
     errors.Add(
       static_cast<double>(found[static_cast<std::size_t>(truth.Posts[i])]), stage.SkyView()[i]);
   }
   Result result;
-  Laps laps;
-  laps.Add({}, { cost.Cpu, cost.Wall });
-  laps.Report(result, static_cast<double>(stage.Scene.Field.Heights.size()));
+  RepeatTimer timer;
+  timer.Add({}, { cost.Cpu, cost.Wall });
+  timer.Report(result, static_cast<double>(stage.Scene.Field.Heights.size()));
   result.FloatsPerPost = FloatsPerPost(cost, stage.Scene.Field);
   result.PrepareNs = result.SearchNs = NotMeasured;
   result.Error = errors.Get();
@@ -86,7 +86,7 @@ Result OfProgram(Stage& stage, const Cost& cost, const std::vector<float>& found
 }
 
 // Sky view factors of SAGA, with rays from cell to cell in a number of sectors.
-Result MeasureSagaSky(Stage& stage, int sectors)
+Result MeasureSagaSky(ReferenceScene& stage, int sectors)
 {
   const oracle::OracleField& field = stage.Scene.Field;
   const ScratchFolder folder;
@@ -99,7 +99,7 @@ Result MeasureSagaSky(Stage& stage, int sectors)
 
 // The diffuse light of r.sun, which ignores the shadow of terrain: a sky view factor without
 // horizons.
-Result MeasureGrassDiffuse(Stage& stage)
+Result MeasureGrassDiffuse(ReferenceScene& stage)
 {
   const oracle::OracleField& field = stage.Scene.Field;
   Cost cost;
@@ -108,7 +108,7 @@ Result MeasureGrassDiffuse(Stage& stage)
 }
 
 // The errors of red, green and blue together, in per cent of the mean.
-Errors LightErrors(vtkFloatArray* found, const LightTruth& truth)
+Errors LightErrors(vtkFloatArray* found, const ReferenceLight& truth)
 {
   ErrorSum errors;
   for (std::size_t i = 0; i < truth.Posts.size(); ++i)
@@ -146,20 +146,21 @@ void Apply(const LightSettings& how, vtkHeightFieldIrradiance* filter)
 double RelightNs(
   vtkHeightFieldIrradiance* filter, vtkSkylineEnvironmentLight* sky, const Effort& effort)
 {
-  Laps laps;
+  RepeatTimer timer;
   int repeat = 0;
-  while (laps.Next(effort.Repeats, effort.Seconds))
+  while (timer.Next(effort.Repeats, effort.Seconds))
   {
     sky->SetSunAzimuth(140.0 + 10.0 * repeat++);
     sky->GetLightMap(); // the light, not the filter, computes the sky map
-    laps.Search([&] { filter->Update(); });
+    timer.Search([&] { filter->Update(); });
   }
   Result result;
-  laps.Report(result, static_cast<double>(filter->GetOutput()->GetNumberOfPoints()));
+  timer.Report(result, static_cast<double>(filter->GetOutput()->GetNumberOfPoints()));
   return result.TotalMedianNs;
 }
 
-Result MeasureIrradiance(Stage& stage, vtkHeightFieldIrradiance* filter, const LightSettings& how)
+Result MeasureIrradiance(
+  ReferenceScene& stage, vtkHeightFieldIrradiance* filter, const LightSettings& how)
 {
   const auto image = ImageOf(stage.Scene.Field);
   const auto sky = MakeClearSky();
@@ -174,7 +175,7 @@ Result MeasureIrradiance(Stage& stage, vtkHeightFieldIrradiance* filter, const L
   return result;
 }
 
-Result MeasureDeviceIrradiance(Stage& stage, const LightSettings& how)
+Result MeasureDeviceIrradiance(ReferenceScene& stage, const LightSettings& how)
 {
   vtkNew<vtkOpenGLHeightFieldIrradiance> filter;
   RequireDevice(filter->GetDevice());
@@ -188,7 +189,7 @@ Result MeasureDeviceIrradiance(Stage& stage, const LightSettings& how)
 }
 
 // The cost of a frame of moving terrain: a new surface, new horizons, new light.
-Result MeasureFrames(Stage& stage, const LightSettings& how)
+Result MeasureFrames(ReferenceScene& stage, const LightSettings& how)
 {
   vtkNew<vtkHeightFieldIrradiance> filter;
   return MeasureIrradiance(stage, filter, how);
@@ -196,7 +197,7 @@ Result MeasureFrames(Stage& stage, const LightSettings& how)
 
 } // namespace
 
-void AddSkyJobs(std::vector<Job>& jobs, const StagePointer& stage)
+void AddSkyJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
 {
   const auto add = [&](const char* kind, const std::string& label, const std::string& settings,
                      int turn, const std::function<Result()>& measure)
@@ -234,7 +235,7 @@ void AddSkyJobs(std::vector<Job>& jobs, const StagePointer& stage)
     PeerTurn, [stage] { return MeasureGrassDiffuse(*stage); });
 }
 
-void AddThreadJobs(std::vector<Job>& jobs, const StagePointer& stage)
+void AddThreadJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
 {
   const int most = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   for (int threads = 1; threads <= most;
@@ -256,7 +257,7 @@ void AddThreadJobs(std::vector<Job>& jobs, const StagePointer& stage)
   }
 }
 
-void AddIrradianceJobs(std::vector<Job>& jobs, const StagePointer& stage)
+void AddIrradianceJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
 {
   const auto add = [&](const char* kind, const std::string& label, const std::string& settings,
                      int turn, const std::function<Result()>& measure)
@@ -312,7 +313,7 @@ void AddIrradianceJobs(std::vector<Job>& jobs, const StagePointer& stage)
     [stage, how] { return MeasureDeviceIrradiance(*stage, how); });
 }
 
-void AddFrameJobs(std::vector<Job>& jobs, const StagePointer& stage)
+void AddFrameJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
 {
   const auto add = [&](const char* kind, const std::string& label, const std::string& settings,
                      int turn, const LightSettings& how)

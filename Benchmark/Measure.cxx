@@ -80,7 +80,7 @@ double ProcessCpu()
   return Clock(CLOCK_PROCESS_CPUTIME_ID);
 }
 
-void Laps::Report(Result& result, double count) const
+void RepeatTimer::Report(Result& result, double count) const
 {
   if (this->Repeats.empty())
   {

@@ -26,7 +26,7 @@ Seconds Now();
 double ProcessCpu();
 
 /// The times of the preparation and the search of a method, for each repeat.
-class Laps
+class RepeatTimer
 {
 public:
   /// Begins another repeat; the first one always begins. Returns false after `repeats` repeats, or

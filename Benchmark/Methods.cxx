@@ -27,9 +27,9 @@ Method OfSettings(const char* name, const char* label, HorizonMethodKind kind, d
   settings.Tolerance = tolerance * RadiansPerDegree;
   const MakeMethod make = [settings](const HeightField& field)
   { return MakeHorizonMethod(field, settings); };
-  return { name, label, [make](const Scene& scene, const Truth& truth, const Plan& plan) {
-            return MeasureKernel(scene, truth, make, plan.Repeats);
-          } };
+  return { name, label,
+    [make](const Scene& scene, const ReferenceHorizons& truth, const Plan& plan)
+    { return MeasureKernel(scene, truth, make, plan.Repeats); } };
 }
 
 // The cheaper pyramid of Snyder & Nowrouzezahrai (2008), for environment light.
@@ -40,12 +40,12 @@ Method OfLevels(const char* name, const char* label)
   settings.Pyramid.Spline = false;
   const MakeMethod make = [settings](const HeightField& field)
   { return MakeHorizonMethod(field, settings); };
-  return { name, label, [make](const Scene& scene, const Truth& truth, const Plan& plan) {
-            return MeasureKernel(scene, truth, make, plan.Repeats);
-          } };
+  return { name, label,
+    [make](const Scene& scene, const ReferenceHorizons& truth, const Plan& plan)
+    { return MeasureKernel(scene, truth, make, plan.Repeats); } };
 }
 
-Result MeasureEveryCrossing(const Scene& scene, const Truth& truth, const Plan& plan)
+Result MeasureEveryCrossing(const Scene& scene, const ReferenceHorizons& truth, const Plan& plan)
 {
   const MakeMethod make = [](const HeightField& field)
   { return std::make_unique<EveryCrossing>(field, HorizonSettings()); };
@@ -54,9 +54,9 @@ Result MeasureEveryCrossing(const Scene& scene, const Truth& truth, const Plan& 
 
 Method OfEmbree(const char* name, const char* label, double accuracy)
 {
-  return { name, label, [accuracy](const Scene& scene, const Truth& truth, const Plan& plan) {
-            return MeasureEmbree(scene, truth, accuracy, plan.Repeats);
-          } };
+  return { name, label,
+    [accuracy](const Scene& scene, const ReferenceHorizons& truth, const Plan& plan)
+    { return MeasureEmbree(scene, truth, accuracy, plan.Repeats); } };
 }
 
 } // namespace
@@ -74,10 +74,10 @@ const std::vector<Method>& Methods()
     OfEmbree("embree0.25", "Embree 0.25 deg", 0.25),
     OfEmbree("embree0.01", "Embree 0.01 deg", 0.01),
     { "grass", "GRASS r.horizon",
-      [](const Scene& scene, const Truth& truth, const Plan& plan)
+      [](const Scene& scene, const ReferenceHorizons& truth, const Plan& plan)
       { return MeasureGrass(scene, truth, plan.GrassAzimuths); } },
     { "skyview", "exact + sky view",
-      [](const Scene& scene, const Truth& truth, const Plan& plan)
+      [](const Scene& scene, const ReferenceHorizons& truth, const Plan& plan)
       { return MeasureFusedSkyView(scene, truth, plan.Repeats); } },
   };
   return methods;

@@ -3,8 +3,8 @@
 #ifndef skyline_Methods_h
 #define skyline_Methods_h
 
+#include "ReferenceHorizons.h"
 #include "Result.h"
-#include "Truth.h"
 
 #include <functional>
 #include <string>
@@ -27,7 +27,7 @@ struct Method
 {
   std::string Name; ///< name on the command line and in the CSV
   std::string Label;
-  std::function<Result(const Scene&, const Truth&, const Plan&)> Measure;
+  std::function<Result(const Scene&, const ReferenceHorizons&, const Plan&)> Measure;
 };
 
 /// All methods, in the order of the table.

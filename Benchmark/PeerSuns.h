@@ -5,7 +5,7 @@
 
 #include "External.h"
 #include "Reference/Oracle.h"
-#include "Stage.h"
+#include "ReferenceScene.h"
 
 #include <functional>
 #include <vector>

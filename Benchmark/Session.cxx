@@ -29,9 +29,10 @@ bool IsAmong(const std::string& name, const std::vector<std::string>& names)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::vector<StagePointer> MakeStages(const SessionOptions& options, const WantsToStop& stop)
+std::vector<ReferenceScenePointer> MakeStages(
+  const SessionOptions& options, const WantsToStop& stop)
 {
-  std::vector<StagePointer> stages;
+  std::vector<ReferenceScenePointer> stages;
   const auto add = [&](const std::string& scene, int size, bool named)
   {
     Effort effort;
@@ -39,12 +40,12 @@ std::vector<StagePointer> MakeStages(const SessionOptions& options, const WantsT
     Scene made = MakeScene(scene, size);
     made.Name += named ? " " + std::to_string(size) : "";
     for (int copy = 2; std::any_of(stages.begin(), stages.end(),
-           [&](const StagePointer& stage) { return stage->Scene.Name == made.Name; });
+           [&](const ReferenceScenePointer& stage) { return stage->Scene.Name == made.Name; });
          ++copy) // for files with the same name
     {
       made.Name = made.Name.substr(0, made.Name.find(" #")) + " #" + std::to_string(copy);
     }
-    stages.push_back(std::make_shared<Stage>(std::move(made), effort, stop));
+    stages.push_back(std::make_shared<ReferenceScene>(std::move(made), effort, stop));
   };
   for (const std::string& file : options.Rasters) // rasters of the user come first
   {
@@ -115,17 +116,19 @@ Result MeasureWithin(
   return result;
 }
 
-std::vector<Job> MakeJobs(const SessionOptions& options, const std::vector<StagePointer>& stages)
+std::vector<Job> MakeJobs(
+  const SessionOptions& options, const std::vector<ReferenceScenePointer>& stages)
 {
   std::vector<Job> jobs;
-  const auto begins = [](const StagePointer& stage, std::initializer_list<const char*> names)
+  const auto begins =
+    [](const ReferenceScenePointer& stage, std::initializer_list<const char*> names)
   {
     return std::any_of(names.begin(), names.end(),
       [&](const char* name) { return stage->Scene.Name.rfind(name, 0) == 0; });
   };
   for (std::size_t k = 0; k < stages.size(); ++k)
   {
-    const StagePointer& stage = stages[k];
+    const ReferenceScenePointer& stage = stages[k];
     // Light is measured on a few scenes only, because its errors follow those of the horizons.
     const bool main = k < options.Rasters.size() || begins(stage, { "hills", "helens", "lidar" });
     const bool only = stages.size() == 1;
@@ -187,8 +190,8 @@ Session RunSession(const SessionOptions& options, const Tell& tell, const WantsT
   const auto stopped = [&] { return stop && stop(); };
   session.Budget = options.Budget;
   session.Machine = MachineFacts();
-  const std::vector<StagePointer> stages = MakeStages(options, stop);
-  for (const StagePointer& stage : stages)
+  const std::vector<ReferenceScenePointer> stages = MakeStages(options, stop);
+  for (const ReferenceScenePointer& stage : stages)
   {
     session.Scenes.emplace_back(stage->Scene.Name, stage->Scene.Description);
   }

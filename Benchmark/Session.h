@@ -4,7 +4,7 @@
 #define skyline_Session_h
 
 #include "Job.h"
-#include "Stage.h"
+#include "ReferenceScene.h"
 
 #include <functional>
 #include <string>

@@ -33,7 +33,7 @@ namespace
 using Kind = SunScore::Kind;
 
 // Measures one of our filters for all suns. set(sun) sets its light, value(post) reads its output.
-Result MeasureSuns(Stage& stage, Kind kind, vtkAlgorithm* filter,
+Result MeasureSuns(ReferenceScene& stage, Kind kind, vtkAlgorithm* filter,
   const std::function<void(const SunAt&)>& set, const SunOf& value)
 {
   const auto image = ImageOf(stage.Scene.Field);
@@ -68,7 +68,7 @@ vtkDataArray* ArrayOf(vtkAlgorithm* filter, const char* name)
   return vtkImageData::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData()->GetArray(name);
 }
 
-Result MeasureShadow(Stage& stage, int method)
+Result MeasureShadow(ReferenceScene& stage, int method)
 {
   vtkNew<vtkHeightFieldSunShadow> filter;
   filter->SetMethod(method);
@@ -88,7 +88,7 @@ Result MeasureShadow(Stage& stage, int method)
     });
 }
 
-Result MeasureBeam(Stage& stage, int method)
+Result MeasureBeam(ReferenceScene& stage, int method)
 {
   vtkNew<vtkHeightFieldIrradiance> filter;
   vtkNew<vtkSkylineSunLight> light;
@@ -106,7 +106,7 @@ Result MeasureBeam(Stage& stage, int method)
     { return ArrayOf(filter, "Irradiance")->GetComponent(static_cast<vtkIdType>(post), 0); });
 }
 
-Result MeasureShadowHeight(Stage& stage, int method, vtkHeightFieldShadowHeight* filter)
+Result MeasureShadowHeight(ReferenceScene& stage, int method, vtkHeightFieldShadowHeight* filter)
 {
   filter->SetMethod(method);
   filter->SetSunAngularRadius(0.0);
@@ -125,7 +125,7 @@ Result MeasureShadowHeight(Stage& stage, int method, vtkHeightFieldShadowHeight*
     });
 }
 
-Result MeasureDeviceShadowHeight(Stage& stage)
+Result MeasureDeviceShadowHeight(ReferenceScene& stage)
 {
   vtkNew<vtkOpenGLHeightFieldShadowHeight> filter;
   RequireDevice(filter->GetDevice());
@@ -138,7 +138,8 @@ Result MeasureDeviceShadowHeight(Stage& stage)
 }
 
 // Measures another program, which runs once for each sun.
-Result MeasurePeer(Stage& stage, Kind kind, PeerSun (*make)(const oracle::OracleField& field))
+Result MeasurePeer(
+  ReferenceScene& stage, Kind kind, PeerSun (*make)(const oracle::OracleField& field))
 {
   const oracle::OracleField& field = stage.Scene.Field;
   const PeerSun run = make(field);
@@ -149,17 +150,18 @@ Result MeasurePeer(Stage& stage, Kind kind, PeerSun (*make)(const oracle::Oracle
     const std::vector<float> found = run(Suns[sun], cost);
     score.Add(sun, [&](std::size_t post) { return static_cast<double>(found[post]); });
   }
-  Laps laps;
-  laps.Add({}, { cost.Cpu, cost.Wall });
+  RepeatTimer timer;
+  timer.Add({}, { cost.Cpu, cost.Wall });
   Result result;
-  laps.Report(result, static_cast<double>(field.Heights.size()) * static_cast<double>(Suns.size()));
+  timer.Report(
+    result, static_cast<double>(field.Heights.size()) * static_cast<double>(Suns.size()));
   score.Report(result);
   result.FloatsPerPost = FloatsPerPost(cost, field);
   return result;
 }
 
 // Returns a function that adds jobs of a quantity whose reference is the horizons towards the suns.
-auto Adder(std::vector<Job>& jobs, const StagePointer& stage, const char* quantity)
+auto Adder(std::vector<Job>& jobs, const ReferenceScenePointer& stage, const char* quantity)
 {
   return [&jobs, stage, quantity](const char* kind, const char* label, const char* settings,
            int turn, const std::function<Result()>& measure)
@@ -172,7 +174,7 @@ auto Adder(std::vector<Job>& jobs, const StagePointer& stage, const char* quanti
 
 } // namespace
 
-void AddSunJobs(std::vector<Job>& jobs, const StagePointer& stage)
+void AddSunJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
 {
   const auto add = Adder(jobs, stage, "sun");
   for (const auto& search : Searches)
@@ -201,7 +203,7 @@ void AddSunJobs(std::vector<Job>& jobs, const StagePointer& stage)
     [stage] { return MeasureDeviceShadowHeight(*stage); });
 }
 
-void AddBeamJobs(std::vector<Job>& jobs, const StagePointer& stage)
+void AddBeamJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
 {
   const auto add = Adder(jobs, stage, "beam");
   for (const auto& search : Searches)

@@ -12,7 +12,7 @@ namespace skyline
 namespace benchmark
 {
 
-SunScore::SunScore(Stage& stage, Kind kind)
+SunScore::SunScore(ReferenceScene& stage, Kind kind)
   : Field(stage.Scene.Field)
   , Right(stage.SunHorizons())
   , Side(stage.WindowSide())

@@ -3,8 +3,8 @@
 #ifndef skyline_SunScore_h
 #define skyline_SunScore_h
 
+#include "ReferenceScene.h"
 #include "Result.h"
-#include "Stage.h"
 
 #include <cstddef>
 #include <functional>
@@ -29,7 +29,7 @@ public:
     Beam ///< the cosine of incidence, 0 in shadow. Errors in % of the mean
   };
 
-  SunScore(Stage& stage, Kind kind);
+  SunScore(ReferenceScene& stage, Kind kind);
 
   void Add(std::size_t sun, const SunOf& found);
 
@@ -40,7 +40,7 @@ private:
   double Incidence(std::ptrdiff_t post, const SunAt& sun) const; // cosine of the angle, at least 0
 
   const oracle::OracleField& Field;
-  const Truth& Right;
+  const ReferenceHorizons& Right;
   std::ptrdiff_t Side;
   Kind What;
   std::vector<double> FoundBeams, RightBeams;

@@ -3,8 +3,8 @@
 
 #include "Azimuths.h"
 #include "HarmonicBands.h"
-#include "Harmonics/KeyLight.h"
 #include "Harmonics/VisibilityAccumulator.h"
+#include "Horizon/Swath.h"
 #include "HorizonDriver.h"
 #include "PostArrays.h"
 #include "vtkFloatArray.h"

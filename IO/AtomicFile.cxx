@@ -91,7 +91,7 @@ unsigned long CodeFor(int error)
   return full ? vtkErrorCode::OutOfDiskSpaceError : vtkErrorCode::CannotOpenFileError;
 }
 
-const char* CureFor(int error)
+const char* AdviceFor(int error)
 {
   switch (error)
   {
@@ -200,7 +200,7 @@ std::string AtomicFile::GetIntermediatePath() const
   return this->GetPath() + IntermediateSuffix;
 }
 
-std::vector<std::string> AtomicFile::Endangered(const std::string& target)
+std::vector<std::string> AtomicFile::FilesToBeReplaced(const std::string& target)
 {
   std::vector<std::string> files{ target };
   struct stat status;
@@ -247,7 +247,7 @@ void AtomicFile::Replace()
     const int error = errno;
     throw IoFailure(CodeFor(error),
       "cannot write '" + this->Target + "': its side file '" + stuck +
-        "' cannot be moved: " + std::strerror(error) + CureFor(error));
+        "' cannot be moved: " + std::strerror(error) + AdviceFor(error));
   }
   if (::rename(this->GetPath().c_str(), this->Real.c_str()) != 0)
   {
@@ -401,7 +401,7 @@ void AtomicFile::Fail(const std::string& reason) const
 void AtomicFile::Fail(int error) const
 {
   throw IoFailure(CodeFor(error),
-    "cannot write '" + this->Target + "': " + std::strerror(error) + CureFor(error));
+    "cannot write '" + this->Target + "': " + std::strerror(error) + AdviceFor(error));
 }
 
 } // namespace skyline

@@ -52,7 +52,7 @@ public:
 
   /// The files that Commit replaces or removes: the target and the side files that GDAL reads with
   /// it.
-  static std::vector<std::string> Endangered(const std::string& target);
+  static std::vector<std::string> FilesToBeReplaced(const std::string& target);
 
   /// Throws the IoFailure for a failed write to the temporary. The message contains `reason`
   /// (unless the disk is full) or the system's text for an errno.

@@ -38,7 +38,7 @@ constexpr double PlaceSlack = 1e-6;
 class GeoTiffChecker
 {
 public:
-  GeoTiffChecker(const GeoTiffPromise& promise, const AtomicFile& file)
+  GeoTiffChecker(const ExpectedGeoTiff& promise, const AtomicFile& file)
     : Promise(promise)
     , Content(*promise.Content)
     , File(file)
@@ -228,7 +228,7 @@ private:
     }
   }
 
-  const GeoTiffPromise& Promise;
+  const ExpectedGeoTiff& Promise;
   const GeoTiffContent& Content;
   const AtomicFile& File;
   mutable std::mutex Mutex;
@@ -238,7 +238,7 @@ private:
 } // namespace
 
 void CheckGeoTiff(
-  const GeoTiffPromise& promise, const AtomicFile& file, const std::function<void(double)>& report)
+  const ExpectedGeoTiff& promise, const AtomicFile& file, const std::function<void(double)>& report)
 {
   GeoTiffChecker(promise, file).Check(report);
 }

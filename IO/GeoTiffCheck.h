@@ -16,7 +16,7 @@ namespace skyline
 class AtomicFile;
 
 /// What the file should contain.
-struct GeoTiffPromise
+struct ExpectedGeoTiff
 {
   const GeoTiffContent* Content = nullptr;
   GDALDataType Buffer = GDT_Float32; ///< type of the numbers given to GDAL: Float32 or Float64
@@ -28,8 +28,8 @@ struct GeoTiffPromise
 /// georeference, the nodata value and the descriptions with the expected ones. Overviews are read
 /// but not compared. Throws IoFailure if the file differs from `promise`. `report` receives the
 /// completed part (0 to 1) and may throw.
-void CheckGeoTiff(
-  const GeoTiffPromise& promise, const AtomicFile& file, const std::function<void(double)>& report);
+void CheckGeoTiff(const ExpectedGeoTiff& promise, const AtomicFile& file,
+  const std::function<void(double)>& report);
 
 } // namespace skyline
 

@@ -422,7 +422,8 @@ private:
     const int parts = (down + partDown - 1) / partDown;
     const int jobs = parts * bands;
     const CPLStringList options = this->BlockOptions();
-    const PackingWay part{ &this->Content, this->Nodata, this->Type, this->Buffer, options.List() };
+    const PackingOptions part{ &this->Content, this->Nodata, this->Type, this->Buffer,
+      options.List() };
     std::vector<PackedRows> packed(static_cast<std::size_t>(jobs));
     const auto work = [&](int job)
     {

@@ -38,7 +38,7 @@ struct MemoryFile
 class Packer
 {
 public:
-  Packer(const PackingWay& way, const AtomicFile& file)
+  Packer(const PackingOptions& way, const AtomicFile& file)
     : Way(way)
     , File(file)
   {
@@ -127,14 +127,14 @@ private:
   }
 
   const GdalErrors Errors; // first, so that errors on removing the file are recorded
-  const PackingWay& Way;
+  const PackingOptions& Way;
   const AtomicFile& File;
   const MemoryFile Memory;
 };
 
 } // namespace
 
-PackedRows PackRows(const PackingWay& way, int band, int row, int count, const AtomicFile& file)
+PackedRows PackRows(const PackingOptions& way, int band, int row, int count, const AtomicFile& file)
 {
   Packer packer(way, file);
   return way.Buffer == GDT_Float32 ? packer.Pack<float>(band, row, count)

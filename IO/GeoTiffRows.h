@@ -17,7 +17,7 @@ namespace skyline
 class AtomicFile;
 
 /// How the blocks of a file are packed.
-struct PackingWay
+struct PackingOptions
 {
   const GeoTiffContent* Content = nullptr;
   double Nodata = 0.0;                  ///< written for missing posts
@@ -36,7 +36,8 @@ struct PackedRows
 /// Packs rows [row, row + count), counted from the top, of the band `band`, counted from 0. `row`
 /// must be the first row of a row of blocks. Throws what GDAL reports in this thread as an
 /// IoFailure of `file`.
-PackedRows PackRows(const PackingWay& way, int band, int row, int count, const AtomicFile& file);
+PackedRows PackRows(
+  const PackingOptions& way, int band, int row, int count, const AtomicFile& file);
 
 } // namespace skyline
 

@@ -3,7 +3,7 @@
 
 #include "Geo/LooksLikeDegrees.h"
 #include "Geo/RowSpacing.h"
-#include "HeightMeaning.h"
+#include "HeightConversion.h"
 #include "IoFailure.h"
 #include "MissingPosts.h"
 #include "Shared/HeightLimits.h"
@@ -291,8 +291,8 @@ void RasterSource::ReadValues()
       ", not heights; convert them to real numbers (gdal_translate -ot Float32)");
   }
 
-  const HeightMeaning meaning =
-    ReadHeightMeaning(*this->Dataset, *this->Band, this->Crs, this->File, this->Doubts);
+  const HeightConversion meaning =
+    ReadHeightConversion(*this->Dataset, *this->Band, this->Crs, this->File, this->Doubts);
   this->Scale = meaning.Scale;
   this->Offset = meaning.Offset;
 

@@ -98,7 +98,7 @@ private:
 
   GdalErrors Errors; // first, so that closing the file prints nothing
   // GDAL must not leave a file with the size beside a gzip file that it reads.
-  CPLConfigOptionSetter NoNotes{ "CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO", false };
+  CPLConfigOptionSetter NoGzipProperties{ "CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO", false };
   std::string File;
   std::string Opened; ///< the name that GDAL opens; differs from File for a pipe
   SourceGuard Guard;  // before Dataset, which opens its sources only when it reads them

@@ -60,16 +60,16 @@ public:
   explicit Search(const std::string& output)
   {
     struct stat status;
-    for (const std::string& file : AtomicFile::Endangered(output))
+    for (const std::string& file : AtomicFile::FilesToBeReplaced(output))
     {
       if (::stat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode))
       {
-        this->Endangered.insert({ status.st_dev, status.st_ino });
+        this->FilesToBeReplaced.insert({ status.st_dev, status.st_ino });
       }
     }
   }
 
-  bool IsNeeded() const { return !this->Endangered.empty(); }
+  bool IsNeeded() const { return !this->FilesToBeReplaced.empty(); }
 
   /// True if the input named `name` contains one of those files.
   bool Finds(const std::string& name)
@@ -154,7 +154,7 @@ private:
   bool IsEndangered(const std::string& path) const
   {
     Identity identity;
-    return this->Is(path, identity) && this->Endangered.count(identity) > 0;
+    return this->Is(path, identity) && this->FilesToBeReplaced.count(identity) > 0;
   }
 
   bool IsOrHolds(const std::string& path)
@@ -164,7 +164,7 @@ private:
     {
       return false;
     }
-    if (this->Endangered.count(identity) > 0)
+    if (this->FilesToBeReplaced.count(identity) > 0)
     {
       return true;
     }
@@ -207,7 +207,7 @@ private:
     return false;
   }
 
-  std::set<Identity> Endangered, Seen;
+  std::set<Identity> FilesToBeReplaced, Seen;
 };
 
 } // namespace

@@ -61,7 +61,7 @@ vtkSmartPointer<vtkDataArray> Allocate(
 
 vtkStandardNewMacro(vtkHeightFieldReader);
 
-struct vtkHeightFieldReader::Inside
+struct vtkHeightFieldReader::Internal
 {
   std::vector<std::string> Drivers;
   std::shared_ptr<skyline::StreamSpool> Spool;
@@ -69,7 +69,7 @@ struct vtkHeightFieldReader::Inside
 };
 
 vtkHeightFieldReader::vtkHeightFieldReader()
-  : Parts(std::make_unique<Inside>())
+  : Parts(std::make_unique<Internal>())
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -131,7 +131,7 @@ skyline::SourcePolicy vtkHeightFieldReader::MakePolicy() const
 
 std::string vtkHeightFieldReader::Spool(const std::string& file)
 {
-  Inside& parts = *this->Parts;
+  Internal& parts = *this->Parts;
   if (parts.SpooledFile != file)
   {
     parts.Spool.reset();

@@ -153,8 +153,8 @@ private:
   std::vector<double> Nodata;
   bool AllowNetwork = false;
   bool AllowElsewhere = false;
-  struct Inside;
-  std::unique_ptr<Inside> Parts;
+  struct Internal;
+  std::unique_ptr<Internal> Parts;
 };
 VTK_ABI_NAMESPACE_END
 

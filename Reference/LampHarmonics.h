@@ -8,7 +8,7 @@
 #include "Harmonics/SphericalHarmonics.h"
 #include "HeightField/Grid.h"
 #include "HeightField/HeightPyramid.h"
-#include "Horizon/PyramidSettings.h"
+#include "Horizon/HorizonMethod.h"
 #include "Lamps/Lamp.h"
 #include "Lamps/LampTerrain.h"
 

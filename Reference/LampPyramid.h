@@ -6,7 +6,7 @@
 
 #include "HeightField/Grid.h"
 #include "HeightField/HeightPyramid.h"
-#include "Horizon/PyramidSettings.h"
+#include "Horizon/HorizonMethod.h"
 #include "Lamps/Lamp.h"
 
 #include <cstddef>

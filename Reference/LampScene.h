@@ -21,7 +21,7 @@ class LampScene
 {
 public:
   LampScene(const oracle::OracleField& field)
-    : Truth(field)
+    : Heights(field)
     , Field(FieldOf(field))
     , Terrain(Field)
     , Posts(GridOf(field))
@@ -42,7 +42,7 @@ public:
     Lamp lamp;
     lamp.X = ball.Centre.X;
     lamp.Y = ball.Centre.Y;
-    lamp.Z = ball.Centre.Z - BaseOf(this->Truth);
+    lamp.Z = ball.Centre.Z - BaseOf(this->Heights);
     lamp.Radius = ball.Radius;
     std::vector<float> rgb(3 * this->East.size(), 0.0f);
     AddLampIrradiance(this->Terrain, this->Posts, level ? nullptr : this->East.data(),
@@ -57,21 +57,21 @@ public:
 
   oracle::Vector3 Normal(std::ptrdiff_t column, std::ptrdiff_t row) const
   {
-    const std::size_t post = this->Truth.Index(column, row);
+    const std::size_t post = this->Heights.Index(column, row);
     return oracle::Unit({ -this->East[post], -this->North[post], 1.0 });
   }
 
   /// The irradiance of a post without any terrain in the way, by the closed form.
   double Unshadowed(const oracle::Ball& ball, std::ptrdiff_t column, std::ptrdiff_t row) const
   {
-    const oracle::Vector3 to = ball.Centre - oracle::PlaceOf(this->Truth, column, row);
+    const oracle::Vector3 to = ball.Centre - oracle::PlaceOf(this->Heights, column, row);
     const double distance = std::sqrt(oracle::Dot(to, to));
     const double cosine =
       distance > 0.0 ? oracle::Dot(to, this->Normal(column, row)) / distance : 1.0;
     return DiscIrradiance(DiscOfLamp(ball.Radius, distance), cosine);
   }
 
-  oracle::OracleField Truth;
+  oracle::OracleField Heights;
   HeightField Field;
   LampTerrain Terrain;
   Grid Posts;

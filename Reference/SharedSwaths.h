@@ -4,7 +4,7 @@
 #ifndef skyline_SharedSwaths_h
 #define skyline_SharedSwaths_h
 
-#include "Harmonics/KeyLight.h"
+#include "Reference/KeyLight.h"
 
 #include <cstddef>
 #include <vector>

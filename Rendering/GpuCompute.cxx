@@ -63,7 +63,7 @@ bool GpuCompute::Known()
 
 GpuCompute::GpuCompute(GpuDevice& device, const std::string& text)
   : Device(device)
-  , Sentinel(device.Image(1, 1, 1))
+  , ContextGuard(device.Image(1, 1, 1))
 {
   const std::string whole = "#version 430\n" + text;
   const char* lines = whole.c_str();
@@ -89,9 +89,9 @@ GpuCompute::GpuCompute(GpuDevice& device, const std::string& text)
 
 GpuCompute::~GpuCompute()
 {
-  if (this->Sentinel && this->Sentinel->GetHandle() != 0)
+  if (this->ContextGuard && this->ContextGuard->GetHandle() != 0)
   {
-    this->Sentinel->GetContext()->MakeCurrent();
+    this->ContextGuard->GetContext()->MakeCurrent();
     glDeleteProgram(this->Program);
   }
 }

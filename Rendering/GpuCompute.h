@@ -70,7 +70,7 @@ private:
 
   GpuDevice& Device;
   unsigned int Program = 0;
-  GpuTexture Sentinel; // destroyed with the context, like the program
+  GpuTexture ContextGuard; // destroyed with the context, like the program
   std::vector<GpuTexture> Inputs;
 };
 

@@ -45,7 +45,7 @@ vtkRenderWindow* GpuDevice::GetWindow() const
 
 bool GpuDevice::Open(std::string& reason, bool& renewed)
 {
-  renewed = !this->Sentinel || this->Sentinel->GetHandle() == 0;
+  renewed = !this->ContextGuard || this->ContextGuard->GetHandle() == 0;
   if (!this->Window)
   {
     if (!this->Given && !this->Own)
@@ -62,7 +62,7 @@ bool GpuDevice::Open(std::string& reason, bool& renewed)
   }
   if (renewed)
   {
-    this->Sentinel = nullptr;
+    this->ContextGuard = nullptr;
     this->Frame = nullptr;
     this->Window->Initialize();
   }
@@ -74,10 +74,10 @@ bool GpuDevice::Open(std::string& reason, bool& renewed)
   }
   if (renewed)
   {
-    this->Sentinel = this->Image(1, 1, 4);
+    this->ContextGuard = this->Image(1, 1, 4);
     this->Frame = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
     this->Frame->SetContext(this->Window);
-    if (!this->Sentinel)
+    if (!this->ContextGuard)
     {
       reason = "OpenGL has no memory for textures of floats";
       return false;
@@ -155,7 +155,7 @@ void GpuDevice::Finish()
 
 void GpuDevice::Close()
 {
-  this->Sentinel = nullptr;
+  this->ContextGuard = nullptr;
   this->Frame = nullptr;
   this->Window = nullptr;
   this->Given = nullptr;

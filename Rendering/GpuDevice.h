@@ -82,7 +82,7 @@ private:
   vtkSmartPointer<vtkRenderWindow> Given, Own;
   vtkSmartPointer<vtkOpenGLRenderWindow> Window;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Frame;
-  GpuTexture Sentinel; // destroyed with the context
+  GpuTexture ContextGuard; // destroyed with the context
 };
 
 /// Saves and restores the state of OpenGL that the passes change (framebuffers, viewport,

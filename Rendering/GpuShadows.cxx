@@ -215,7 +215,7 @@ void GpuShadows::Hulls(const SweepLines& sweep, std::vector<float>& values)
   }
 }
 
-GpuShadows* GpuShadowSource::Open(
+GpuShadows* GpuShadowPasses::Open(
   vtkObject* filter, vtkOpenGLHeightFieldDevice* device, const HeightField& field, bool computes)
 {
   this->OnDevice = false;
@@ -249,12 +249,12 @@ GpuShadows* GpuShadowSource::Open(
   }
 }
 
-GpuFailure GpuShadowSource::Failure(vtkObject* filter)
+GpuFailure GpuShadowPasses::Failure(vtkObject* filter)
 {
   return [this, filter](const std::string& reason) { this->Tell(filter, reason); };
 }
 
-void GpuShadowSource::Tell(vtkObject* filter, const std::string& reason)
+void GpuShadowPasses::Tell(vtkObject* filter, const std::string& reason)
 {
   this->OnDevice = false;
   if (reason != this->Told)

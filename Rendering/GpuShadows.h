@@ -62,7 +62,7 @@ private:
 using GpuFailure = std::function<void(const std::string&)>;
 
 /// The passes of a filter. They are made again when the device has another context.
-class GpuShadowSource
+class GpuShadowPasses
 {
 public:
   bool OnDevice = false; ///< whether the device computed the last result

@@ -14,7 +14,7 @@ vtkStandardNewMacro(vtkOpenGLHeightFieldHorizon);
 
 vtkOpenGLHeightFieldHorizon::vtkOpenGLHeightFieldHorizon()
   : Gpu(std::make_unique<skyline::GpuFilter>())
-  , Sweeps(std::make_unique<skyline::GpuShadowSource>())
+  , Sweeps(std::make_unique<skyline::GpuShadowPasses>())
 {
 }
 
@@ -32,7 +32,7 @@ void vtkOpenGLHeightFieldHorizon::SetDevice(vtkOpenGLHeightFieldDevice* device)
   if (this->Gpu->SetDevice(device))
   {
     // Destroys the old passes before their device is released.
-    this->Sweeps = std::make_unique<skyline::GpuShadowSource>();
+    this->Sweeps = std::make_unique<skyline::GpuShadowPasses>();
     this->Modified();
   }
 }

@@ -31,7 +31,7 @@
 namespace skyline
 {
 class GpuFilter;
-class GpuShadowSource;
+class GpuShadowPasses;
 } // namespace skyline
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -71,7 +71,7 @@ private:
   bool Sweep(skyline::HorizonDriver& driver, const std::vector<double>& azimuths, float* values);
 
   std::unique_ptr<skyline::GpuFilter> Gpu;
-  std::unique_ptr<skyline::GpuShadowSource> Sweeps;
+  std::unique_ptr<skyline::GpuShadowPasses> Sweeps;
 };
 VTK_ABI_NAMESPACE_END
 

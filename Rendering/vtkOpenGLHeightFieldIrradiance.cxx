@@ -25,7 +25,7 @@ struct vtkOpenGLHeightFieldIrradiance::Internals
 };
 
 vtkOpenGLHeightFieldIrradiance::vtkOpenGLHeightFieldIrradiance()
-  : Inside(std::make_unique<Internals>())
+  : Internal(std::make_unique<Internals>())
 {
   this->LightMethod = HARMONICS;
 }
@@ -37,40 +37,40 @@ void vtkOpenGLHeightFieldIrradiance::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ReadBack: " << this->ReadBack << "\n"
      << indent << "MeasurePasses: " << this->MeasurePasses << "\n"
-     << indent << "OnDevice: " << this->Inside->Gpu.OnDevice << "\n";
+     << indent << "OnDevice: " << this->Internal->Gpu.OnDevice << "\n";
 }
 
 void vtkOpenGLHeightFieldIrradiance::SetDevice(vtkOpenGLHeightFieldDevice* device)
 {
-  if (device && device != this->Inside->Gpu.Device)
+  if (device && device != this->Internal->Gpu.Device)
   {
-    this->Inside->Lit = nullptr; // must be released before its device
-    this->Inside->Key.clear();
-    this->Inside->Gpu.SetDevice(device);
+    this->Internal->Lit = nullptr; // must be released before its device
+    this->Internal->Key.clear();
+    this->Internal->Gpu.SetDevice(device);
     this->Modified();
   }
 }
 
 vtkOpenGLHeightFieldDevice* vtkOpenGLHeightFieldIrradiance::GetDevice()
 {
-  return this->Inside->Gpu.Device;
+  return this->Internal->Gpu.Device;
 }
 
 bool vtkOpenGLHeightFieldIrradiance::IsOnDevice()
 {
-  return this->Inside->Gpu.OnDevice;
+  return this->Internal->Gpu.OnDevice;
 }
 
 vtkTextureObject* vtkOpenGLHeightFieldIrradiance::GetTexture()
 {
-  const skyline::GpuTexture& lit = this->Inside->Lit;
+  const skyline::GpuTexture& lit = this->Internal->Lit;
   return lit && lit->GetHandle() != 0 ? lit.GetPointer() : nullptr;
 }
 
 void vtkOpenGLHeightFieldIrradiance::GetPassSeconds(double seconds[5])
 {
   std::fill_n(seconds, 5, 0.0);
-  if (const skyline::GpuHarmonics* passes = this->Inside->Gpu.Passes())
+  if (const skyline::GpuHarmonics* passes = this->Internal->Gpu.Passes())
   {
     const skyline::GpuTimes& times = passes->Times;
     seconds[0] = times.Load;
@@ -83,7 +83,7 @@ void vtkOpenGLHeightFieldIrradiance::GetPassSeconds(double seconds[5])
 
 vtkMTimeType vtkOpenGLHeightFieldIrradiance::GetMTime()
 {
-  return std::max(this->Superclass::GetMTime(), this->Inside->Gpu.Device->GetMTime());
+  return std::max(this->Superclass::GetMTime(), this->Internal->Gpu.Device->GetMTime());
 }
 
 bool vtkOpenGLHeightFieldIrradiance::HasLamps()
@@ -101,10 +101,10 @@ bool vtkOpenGLHeightFieldIrradiance::HasLamps()
 
 bool vtkOpenGLHeightFieldIrradiance::Compute(skyline::HorizonDriver& driver, vtkImageData* output)
 {
-  this->Inside->Gpu.OnDevice = false;
-  this->Inside->Lit = nullptr;
+  this->Internal->Gpu.OnDevice = false;
+  this->Internal->Lit = nullptr;
   const bool finished = this->Superclass::Compute(driver, output);
-  if (finished && this->Inside->Lit && !this->ReadBack && !this->HasLamps())
+  if (finished && this->Internal->Lit && !this->ReadBack && !this->HasLamps())
   {
     output->GetPointData()->RemoveArray("Irradiance");
   }
@@ -116,7 +116,7 @@ bool vtkOpenGLHeightFieldIrradiance::LightByHarmonics(skyline::HorizonDriver& dr
   const skyline::LitPosts& posts)
 {
   using namespace skyline;
-  GpuFilter& gpu = this->Inside->Gpu;
+  GpuFilter& gpu = this->Internal->Gpu;
   const Grid& grid = driver.Input().Posts();
   const auto count = static_cast<std::size_t>(grid.Columns * grid.Rows);
   gpu.Timed = this->MeasurePasses;
@@ -125,9 +125,9 @@ bool vtkOpenGLHeightFieldIrradiance::LightByHarmonics(skyline::HorizonDriver& dr
     passes->Times = GpuTimes();
     passes->Times.Wanted = this->MeasurePasses;
   }
-  if (!gpu.Ready() || key != this->Inside->Key)
+  if (!gpu.Ready() || key != this->Internal->Key)
   {
-    this->Inside->Key.clear();
+    this->Internal->Key.clear();
     const std::vector<float> level(this->Horizontal ? count : 0, 0.0f);
     const std::vector<double> azimuths = EvenAzimuths(this->NumberOfAzimuths);
     GpuHarmonics::Task task;
@@ -147,7 +147,7 @@ bool vtkOpenGLHeightFieldIrradiance::LightByHarmonics(skyline::HorizonDriver& dr
     {
       return false;
     }
-    this->Inside->Key = key;
+    this->Internal->Key = key;
   }
   gpu.OnDevice = true;
   if (!gpu.OneTile)
@@ -155,11 +155,11 @@ bool vtkOpenGLHeightFieldIrradiance::LightByHarmonics(skyline::HorizonDriver& dr
     light.Light(gpu.Values.data(), 0, static_cast<vtkIdType>(count), posts.Irradiance);
     return true;
   }
-  this->Inside->Lit = gpu.Passes()->Light(light.GetCoefficients());
+  this->Internal->Lit = gpu.Passes()->Light(light.GetCoefficients());
   if (this->ReadBack || this->HasLamps())
   {
     std::vector<float> texels(4 * count);
-    gpu.Passes()->ReadImage(this->Inside->Lit, texels.data());
+    gpu.Passes()->ReadImage(this->Internal->Lit, texels.data());
     for (std::size_t post = 0; post < count; ++post)
     {
       for (std::size_t c = 0; c < 3; ++c)

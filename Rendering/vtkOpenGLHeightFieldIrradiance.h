@@ -90,7 +90,7 @@ private:
   struct Internals;
   bool ReadBack = true;
   bool MeasurePasses = false;
-  std::unique_ptr<Internals> Inside;
+  std::unique_ptr<Internals> Internal;
 };
 VTK_ABI_NAMESPACE_END
 

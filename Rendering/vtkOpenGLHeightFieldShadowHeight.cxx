@@ -13,7 +13,7 @@ vtkStandardNewMacro(vtkOpenGLHeightFieldShadowHeight);
 
 vtkOpenGLHeightFieldShadowHeight::vtkOpenGLHeightFieldShadowHeight()
   : Device(vtkSmartPointer<vtkOpenGLHeightFieldDevice>::New())
-  , Source(std::make_unique<skyline::GpuShadowSource>())
+  , Source(std::make_unique<skyline::GpuShadowPasses>())
 {
 }
 
@@ -32,7 +32,7 @@ void vtkOpenGLHeightFieldShadowHeight::SetDevice(vtkOpenGLHeightFieldDevice* dev
 {
   if (device && device != this->Device)
   {
-    this->Source = std::make_unique<skyline::GpuShadowSource>();
+    this->Source = std::make_unique<skyline::GpuShadowPasses>();
     this->Device = device;
     this->Modified();
   }

@@ -27,7 +27,7 @@
 namespace skyline
 {
 class GpuShadows;
-class GpuShadowSource;
+class GpuShadowPasses;
 } // namespace skyline
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -69,7 +69,7 @@ private:
   void operator=(const vtkOpenGLHeightFieldShadowHeight&) = delete;
 
   vtkSmartPointer<vtkOpenGLHeightFieldDevice> Device;
-  std::unique_ptr<skyline::GpuShadowSource> Source;
+  std::unique_ptr<skyline::GpuShadowPasses> Source;
   skyline::GpuShadows* Passes = nullptr; // during the execution
 };
 VTK_ABI_NAMESPACE_END

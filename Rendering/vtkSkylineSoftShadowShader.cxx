@@ -59,10 +59,10 @@ struct vtkSkylineSoftShadowShader::Internals : skyline::SoftShadowTextures
 };
 
 vtkSkylineSoftShadowShader::vtkSkylineSoftShadowShader()
-  : Inside(std::make_unique<Internals>())
+  : Internal(std::make_unique<Internals>())
 {
   this->SetUniformLight(1.0, 1.0, 1.0);
-  this->Inside->TextTime.Modified();
+  this->Internal->TextTime.Modified();
 }
 
 vtkSkylineSoftShadowShader::~vtkSkylineSoftShadowShader() = default;
@@ -73,8 +73,8 @@ void vtkSkylineSoftShadowShader::SetMode(int mode)
   if (this->Mode != mode)
   {
     this->Mode = mode;
-    this->Inside->PackedLight.clear();
-    this->Inside->TextTime.Modified();
+    this->Internal->PackedLight.clear();
+    this->Internal->TextTime.Modified();
     this->Modified();
   }
 }
@@ -84,7 +84,7 @@ void vtkSkylineSoftShadowShader::SetToneMapping(bool on)
   if (this->ToneMapping != on)
   {
     this->ToneMapping = on;
-    this->Inside->TextTime.Modified();
+    this->Internal->TextTime.Modified();
     this->Modified();
   }
 }
@@ -94,7 +94,7 @@ void vtkSkylineSoftShadowShader::SetLinearTextures(bool on)
   if (this->LinearTextures != on)
   {
     this->LinearTextures = on;
-    this->Inside->TextTime.Modified();
+    this->Internal->TextTime.Modified();
     this->Modified();
   }
 }
@@ -104,46 +104,46 @@ void vtkSkylineSoftShadowShader::SetLinearFramebuffer(bool on)
   if (this->LinearFramebuffer != on)
   {
     this->LinearFramebuffer = on;
-    this->Inside->TextTime.Modified();
+    this->Internal->TextTime.Modified();
     this->Modified();
   }
 }
 
 void vtkSkylineSoftShadowShader::SetHeightField(vtkImageData* image)
 {
-  if (this->Inside->Image != image || this->Inside->Producer)
+  if (this->Internal->Image != image || this->Internal->Producer)
   {
-    this->Inside->Image = image;
-    this->Inside->Producer = nullptr;
+    this->Internal->Image = image;
+    this->Internal->Producer = nullptr;
     this->Modified();
   }
 }
 
 vtkImageData* vtkSkylineSoftShadowShader::GetHeightField()
 {
-  return this->Inside->Image;
+  return this->Internal->Image;
 }
 
 void vtkSkylineSoftShadowShader::SetHeightFieldConnection(vtkAlgorithmOutput* output)
 {
-  this->Inside->Producer = output ? output->GetProducer() : nullptr;
-  this->Inside->Port = output ? output->GetIndex() : 0;
-  this->Inside->Image = nullptr;
+  this->Internal->Producer = output ? output->GetProducer() : nullptr;
+  this->Internal->Port = output ? output->GetIndex() : 0;
+  this->Internal->Image = nullptr;
   this->Modified();
 }
 
 void vtkSkylineSoftShadowShader::SetIrradianceTexture(vtkTextureObject* texture)
 {
-  if (this->Inside->IrradianceTexture != texture)
+  if (this->Internal->IrradianceTexture != texture)
   {
-    this->Inside->IrradianceTexture = texture;
+    this->Internal->IrradianceTexture = texture;
     this->Modified();
   }
 }
 
 vtkTextureObject* vtkSkylineSoftShadowShader::GetIrradianceTexture()
 {
-  return this->Inside->IrradianceTexture;
+  return this->Internal->IrradianceTexture;
 }
 
 void vtkSkylineSoftShadowShader::SetLightCoefficient(
@@ -154,8 +154,8 @@ void vtkSkylineSoftShadowShader::SetLightCoefficient(
     vtkErrorMacro("no light coefficient " << index << ": 0 to " << skyline::LightCoefficients - 1);
     return;
   }
-  this->Inside->Light[static_cast<std::size_t>(index)] = { { red, green, blue } };
-  this->Inside->PackedLight.clear();
+  this->Internal->Light[static_cast<std::size_t>(index)] = { { red, green, blue } };
+  this->Internal->PackedLight.clear();
   this->Modified();
 }
 
@@ -163,13 +163,13 @@ void vtkSkylineSoftShadowShader::GetLightCoefficient(int index, double rgb[3])
 {
   const bool known = index >= 0 && index < static_cast<int>(skyline::LightCoefficients);
   const skyline::LightColor color =
-    known ? this->Inside->Light[static_cast<std::size_t>(index)] : skyline::LightColor{};
+    known ? this->Internal->Light[static_cast<std::size_t>(index)] : skyline::LightColor{};
   std::copy(color.begin(), color.end(), rgb);
 }
 
 void vtkSkylineSoftShadowShader::SetUniformLight(double red, double green, double blue)
 {
-  this->Inside->Light = skyline::SurfaceLight{};
+  this->Internal->Light = skyline::SurfaceLight{};
   const double y = std::sqrt(4.0 * skyline::Pi); // the coefficient of the constant function 1
   this->SetLightCoefficient(0, y * red, y * green, y * blue);
 }
@@ -182,10 +182,10 @@ void vtkSkylineSoftShadowShader::SetLampRadiance(int lamp, double red, double gr
     return;
   }
   const bool before = this->HasLamps();
-  this->Inside->LampRadiance[static_cast<std::size_t>(lamp)] = { { red, green, blue } };
+  this->Internal->LampRadiance[static_cast<std::size_t>(lamp)] = { { red, green, blue } };
   if (this->HasLamps() != before)
   {
-    this->Inside->TextTime.Modified();
+    this->Internal->TextTime.Modified();
   }
   this->Modified();
 }
@@ -194,30 +194,30 @@ void vtkSkylineSoftShadowShader::GetLampRadiance(int lamp, double rgb[3])
 {
   const bool known = lamp >= 0 && lamp < static_cast<int>(Lamps);
   const skyline::LightColor color =
-    known ? this->Inside->LampRadiance[static_cast<std::size_t>(lamp)] : skyline::LightColor{};
+    known ? this->Internal->LampRadiance[static_cast<std::size_t>(lamp)] : skyline::LightColor{};
   std::copy(color.begin(), color.end(), rgb);
 }
 
 bool vtkSkylineSoftShadowShader::HasLamps()
 {
-  return std::any_of(this->Inside->LampRadiance.begin(), this->Inside->LampRadiance.end(),
+  return std::any_of(this->Internal->LampRadiance.begin(), this->Internal->LampRadiance.end(),
     [](const skyline::LightColor& color) { return color != skyline::LightColor{}; });
 }
 
 bool vtkSkylineSoftShadowShader::Prepare(vtkOpenGLRenderWindow* window)
 {
   const std::string reason = this->Upload(window);
-  if (reason != this->Inside->Reported && !reason.empty())
+  if (reason != this->Internal->Reported && !reason.empty())
   {
     vtkErrorMacro(<< reason);
   }
-  this->Inside->Reported = reason;
+  this->Internal->Reported = reason;
   return reason.empty();
 }
 
 std::string vtkSkylineSoftShadowShader::Upload(vtkOpenGLRenderWindow* window)
 {
-  Internals& in = *this->Inside;
+  Internals& in = *this->Internal;
   in.InUse.clear();
   std::string reason = in.UpdateImage(window);
   if (!reason.empty())
@@ -257,7 +257,7 @@ void vtkSkylineSoftShadowShader::ReplaceShaderValues(
   {
     case RECEIVER:
       // Must come first: the text that follows is inserted before this text.
-      text.Irradiance = this->Inside->Receiver.AddText(
+      text.Irradiance = this->Internal->Receiver.AddText(
         shaders, static_cast<skyline::ReceiverLight::Normals>(normals));
       break;
     case IRRADIANCE:
@@ -278,7 +278,7 @@ void vtkSkylineSoftShadowShader::ReplaceShaderValues(
 
 void vtkSkylineSoftShadowShader::Activate()
 {
-  for (skyline::PostTexture* texture : this->Inside->InUse)
+  for (skyline::PostTexture* texture : this->Internal->InUse)
   {
     texture->Activate();
   }
@@ -286,7 +286,7 @@ void vtkSkylineSoftShadowShader::Activate()
 
 void vtkSkylineSoftShadowShader::Deactivate()
 {
-  for (skyline::PostTexture* texture : this->Inside->InUse)
+  for (skyline::PostTexture* texture : this->Internal->InUse)
   {
     texture->Deactivate();
   }
@@ -295,7 +295,7 @@ void vtkSkylineSoftShadowShader::Deactivate()
 void vtkSkylineSoftShadowShader::SetUniforms(
   vtkShaderProgram* program, vtkOpenGLVertexBufferObjectGroup* buffers)
 {
-  Internals& in = *this->Inside;
+  Internals& in = *this->Internal;
   for (skyline::PostTexture* texture : in.InUse)
   {
     if (program->IsUniformUsed(texture->GetUniform().c_str()))
@@ -336,7 +336,7 @@ void vtkSkylineSoftShadowShader::SetUniforms(
 
 void vtkSkylineSoftShadowShader::ReleaseGraphicsResources(vtkWindow* window)
 {
-  Internals& in = *this->Inside;
+  Internals& in = *this->Internal;
   in.InUse.clear();
   in.Irradiance.Release(window);
   in.Gradient.Release(window);
@@ -350,56 +350,56 @@ void vtkSkylineSoftShadowShader::ReleaseGraphicsResources(vtkWindow* window)
 
 void vtkSkylineSoftShadowShader::SetSunIrradiance(double red, double green, double blue)
 {
-  this->Inside->Receiver.Sun = { { red, green, blue } };
+  this->Internal->Receiver.Sun = { { red, green, blue } };
   this->Modified();
 }
 
 void vtkSkylineSoftShadowShader::GetSunIrradiance(double rgb[3])
 {
-  std::copy(this->Inside->Receiver.Sun.begin(), this->Inside->Receiver.Sun.end(), rgb);
+  std::copy(this->Internal->Receiver.Sun.begin(), this->Internal->Receiver.Sun.end(), rgb);
 }
 
 void vtkSkylineSoftShadowShader::SetPenumbraDepth(double depth)
 {
-  if (this->Inside->Receiver.PenumbraDepth != depth)
+  if (this->Internal->Receiver.PenumbraDepth != depth)
   {
-    this->Inside->Receiver.PenumbraDepth = depth;
+    this->Internal->Receiver.PenumbraDepth = depth;
     this->Modified();
   }
 }
 
 double vtkSkylineSoftShadowShader::GetPenumbraDepth()
 {
-  return this->Inside->Receiver.PenumbraDepth;
+  return this->Internal->Receiver.PenumbraDepth;
 }
 
 void vtkSkylineSoftShadowShader::SetPlacement(vtkMatrix4x4* matrix)
 {
   if (matrix)
   {
-    this->Inside->Placement->DeepCopy(matrix);
+    this->Internal->Placement->DeepCopy(matrix);
   }
   else
   {
-    this->Inside->Placement->Identity();
+    this->Internal->Placement->Identity();
   }
 }
 
 int vtkSkylineSoftShadowShader::GetNumberOfTextureUploads()
 {
-  return this->Inside->Uploads;
+  return this->Internal->Uploads;
 }
 
 vtkMTimeType vtkSkylineSoftShadowShader::GetTextTime()
 {
-  return this->Inside->TextTime;
+  return this->Internal->TextTime;
 }
 
 void vtkSkylineSoftShadowShader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Mode: " << this->Mode << "\n";
-  os << indent << "HeightField: " << this->Inside->Image.GetPointer() << "\n";
+  os << indent << "HeightField: " << this->Internal->Image.GetPointer() << "\n";
   os << indent << "IrradianceArrayName: " << this->IrradianceArrayName << "\n";
   os << indent << "TransferArrayName: " << this->TransferArrayName << "\n";
   os << indent << "VisibilityArrayName: " << this->VisibilityArrayName << "\n";
@@ -407,20 +407,20 @@ void vtkSkylineSoftShadowShader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ElevationArrayName: " << this->ElevationArrayName << "\n";
   const auto print = [&](const char* name, const skyline::LightColor& color)
   { os << indent << name << ": " << color[0] << " " << color[1] << " " << color[2] << "\n"; };
-  for (const skyline::LightColor& coefficient : this->Inside->Light)
+  for (const skyline::LightColor& coefficient : this->Internal->Light)
   {
     print("LightCoefficient", coefficient);
   }
-  for (const skyline::LightColor& radiance : this->Inside->LampRadiance)
+  for (const skyline::LightColor& radiance : this->Internal->LampRadiance)
   {
     print("LampRadiance", radiance);
   }
-  print("SunIrradiance", this->Inside->Receiver.Sun);
-  os << indent << "IrradianceTexture: " << this->Inside->IrradianceTexture.GetPointer() << "\n";
-  os << indent << "PenumbraDepth: " << this->Inside->Receiver.PenumbraDepth << "\n";
+  print("SunIrradiance", this->Internal->Receiver.Sun);
+  os << indent << "IrradianceTexture: " << this->Internal->IrradianceTexture.GetPointer() << "\n";
+  os << indent << "PenumbraDepth: " << this->Internal->Receiver.PenumbraDepth << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "ToneMapping: " << this->ToneMapping << "\n";
   os << indent << "LinearTextures: " << this->LinearTextures << "\n";
   os << indent << "LinearFramebuffer: " << this->LinearFramebuffer << "\n";
-  os << indent << "Uploads: " << this->Inside->Uploads << "\n";
+  os << indent << "Uploads: " << this->Internal->Uploads << "\n";
 }

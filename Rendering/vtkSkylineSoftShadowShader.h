@@ -269,7 +269,7 @@ private:
   bool ToneMapping = true;
   bool LinearTextures = false;
   bool LinearFramebuffer = false;
-  std::unique_ptr<Internals> Inside;
+  std::unique_ptr<Internals> Internal;
 
   vtkSkylineSoftShadowShader(const vtkSkylineSoftShadowShader&) = delete;
   void operator=(const vtkSkylineSoftShadowShader&) = delete;

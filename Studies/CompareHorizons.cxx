@@ -75,7 +75,7 @@ void Warm(const Method& method)
   const Scene scene = MakeScene("hills", 32);
   Plan once;
   once.Repeats = once.GrassAzimuths = 1;
-  method.Measure(scene, Truth(scene, 1, EvenDegrees(8), 1), once);
+  method.Measure(scene, ReferenceHorizons(scene, 1, EvenDegrees(8), 1), once);
 }
 
 std::vector<Row> Run(const Options& options)
@@ -89,7 +89,8 @@ std::vector<Row> Run(const Options& options)
     const Scene scene = MakeScene(name, options.Size);
     std::cout << scene.Name << ": " << scene.Description << std::endl;
     std::cerr << scene.Name << ": oracle" << std::endl;
-    const Truth truth(scene, options.Posts, EvenDegrees(options.Azimuths), options.Seed);
+    const ReferenceHorizons truth(
+      scene, options.Posts, EvenDegrees(options.Azimuths), options.Seed);
     for (const Method* method : Chosen(options.MethodNames))
     {
       std::cerr << scene.Name << ": " << method->Label << std::endl;

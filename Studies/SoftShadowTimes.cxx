@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Frame times of soft shadows, by pass, at the sizes of Snyder & Nowrouzezahrai (2008), table 1.
 // CPU time of one core. Usage: SkylineSoftShadowTimes [largest size, default 1024]
-#include "Harmonics/KeyLight.h"
 #include "Harmonics/VisibilityAccumulator.h"
 #include "HeightField/Normals.h"
 #include "Horizon/HorizonPyramid.h"
+#include "Reference/KeyLight.h"
 #include "Reference/OracleTerrain.h"
 
 #include "hwy/targets.h"

@@ -109,7 +109,7 @@ private:
   void Open();
   void FindChannels();
   void FindShape();
-  void CheckClaim(std::int64_t pixels) const;
+  void CheckFileSize(std::int64_t pixels) const;
   std::unique_ptr<float[]> ReadPixels(const ProgressFunction& progress);
   void PlaceInWindow(const float* values, float* pixels) const;
   [[noreturn]] void Refuse(const std::string& reason) const;
@@ -245,7 +245,7 @@ void ImageLightMap::FindShape()
     this->Refuse("it has " + Dimensions(spec.width, spec.height) +
       " pixels; give a map of 32768 x 16384 at most");
   }
-  this->CheckClaim(std::max(pixels, full));
+  this->CheckFileSize(std::max(pixels, full));
   // If the display window has twice as many columns as rows, it is the whole sphere, and the pixels
   // may be a part of it.
   if (spec.full_width > 0 && spec.full_width == 2 * spec.full_height)
@@ -276,7 +276,7 @@ void ImageLightMap::FindShape()
 
 /// Refuses a file that is too small for its number of pixels: a header of a few bytes may announce
 /// gigabytes.
-void ImageLightMap::CheckClaim(std::int64_t pixels) const
+void ImageLightMap::CheckFileSize(std::int64_t pixels) const
 {
   std::error_code status;
   const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(this->File, status));

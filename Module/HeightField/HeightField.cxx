@@ -112,22 +112,22 @@ void HeightField::Close()
       }
     }
   }
-  for (const LonelyPost& post : this->LonelyInRows)
+  for (const IsolatedPost& post : this->LonelyInRows)
   {
     this->Rows.Line(post.Line)[post.Lane] = MissingHeight;
   }
   this->MissingInRows = MapMissing(this->Rows);
   std::stable_sort(this->LonelyInColumns.begin(), this->LonelyInColumns.end(),
-    [](const LonelyPost& a, const LonelyPost& b) { return a.Line < b.Line; });
+    [](const IsolatedPost& a, const IsolatedPost& b) { return a.Line < b.Line; });
 }
 
 const float* HeightField::Receivers(
   bool columns, std::ptrdiff_t line, std::vector<float>& buffer) const
 {
   const PaddedPlane& plane = columns ? this->Columns : this->Rows;
-  const std::vector<LonelyPost>& lonely = columns ? this->LonelyInColumns : this->LonelyInRows;
+  const std::vector<IsolatedPost>& lonely = columns ? this->LonelyInColumns : this->LonelyInRows;
   auto post = std::lower_bound(lonely.begin(), lonely.end(), line,
-    [](const LonelyPost& a, std::ptrdiff_t wanted) { return a.Line < wanted; });
+    [](const IsolatedPost& a, std::ptrdiff_t wanted) { return a.Line < wanted; });
   if (post == lonely.end() || post->Line != line)
   {
     return plane.Line(line);

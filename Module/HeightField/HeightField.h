@@ -124,7 +124,7 @@ public:
 private:
   bool CellComplete(std::ptrdiff_t column, std::ptrdiff_t row) const;
 
-  struct LonelyPost // outside every complete cell, and therefore without surface
+  struct IsolatedPost // outside every complete cell, and therefore without surface
   {
     std::ptrdiff_t Line, Lane;
     float Height;
@@ -132,7 +132,7 @@ private:
 
   Grid Lattice;
   PaddedPlane Rows, Columns;
-  std::vector<LonelyPost> LonelyInRows, LonelyInColumns; // sorted by line
+  std::vector<IsolatedPost> LonelyInRows, LonelyInColumns; // sorted by line
   MissingMap MissingInRows, MissingInColumns;
   float Largest = 0.0f;
   bool Missing = false;

@@ -6,7 +6,6 @@
 #include "hwy/foreach_target.h"
 
 #include "HeightField/BaseHeight.h"
-#include "Horizon/FindTask.h"
 #include "Horizon/HorizonExact.h"
 #include "Horizon/RayWalk-inl.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkylineSoftShadowGeometry.h"
 
-#include "LightCargo.h"
+#include "LightFieldData.h"
 #include "vtkHeightFieldSurface.h"
 #include "vtkSkylineSoftShadowShader.h"
 
@@ -139,6 +139,6 @@ int vtkSkylineSoftShadowGeometry::RequestData(
     default:
       arrays = { "Irradiance" };
   }
-  skyline::PackLight(image, arrays, output);
+  skyline::StoreLight(image, arrays, output);
   return 1;
 }

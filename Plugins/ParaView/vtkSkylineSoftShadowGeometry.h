@@ -5,7 +5,7 @@
  *
  * Input: a whole vtkImageData of one slice. On a process without data, any other data set, for
  * which the surface is empty. Output: the triangles of vtkHeightFieldSurface with the point arrays
- * of up to four components, and in the field data what skyline::PackLight stores there. In a
+ * of up to four components, and in the field data what skyline::StoreLight stores there. In a
  * parallel run, the first process makes the whole surface and the others make none, so that there
  * are no seams and nothing is drawn twice.
  */

@@ -3,7 +3,7 @@
 
 #include "Color/ToneMap.h"
 #include "HarmonicLight.h"
-#include "LightCargo.h"
+#include "LightFieldData.h"
 #include "Shared/Constants.h"
 #include "vtkHeightFieldShading.h"
 #include "vtkSkylineSoftShadowCompositeMapper.h"
@@ -167,7 +167,7 @@ void vtkSkylineSoftShadowRepresentation::UpdateLight()
   vtkDataObject* data = this->Mapper->GetInputDataObject(0, 0);
   if (data != this->LightOf || (data && data->GetMTime() != this->LightTime))
   {
-    const auto image = skyline::UnpackLight(data);
+    const auto image = skyline::LoadLight(data);
     this->Shader->SetHeightField(image);
     this->Shader->SetMode(
       this->LightMode == vtkSkylineSoftShadowGeometry::AUTOMATIC ? ModeOf(image) : this->LightMode);

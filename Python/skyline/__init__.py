@@ -26,13 +26,13 @@ from typing import TYPE_CHECKING, Any
 from ._built import __version__ as __version__
 from ._native import *  # noqa: F401,F403
 # Type checkers export only names that are imported with "as".
-from ._doors import Options as Options
-from ._doors import horizon as horizon
-from ._doors import irradiance as irradiance
-from ._doors import shadow_height as shadow_height
-from ._doors import sky_view as sky_view
-from ._doors import sun_position as sun_position
-from ._doors import sun_visibility as sun_visibility
+from ._functions import Options as Options
+from ._functions import horizon as horizon
+from ._functions import irradiance as irradiance
+from ._functions import shadow_height as shadow_height
+from ._functions import sky_view as sky_view
+from ._functions import sun_position as sun_position
+from ._functions import sun_visibility as sun_visibility
 from ._images import read as read
 from ._images import to_array as to_array
 from ._images import to_image as to_image

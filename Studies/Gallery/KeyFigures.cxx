@@ -123,7 +123,7 @@ std::vector<float> CutOff(std::vector<float> light)
 }
 
 /// A reference for a panel, and the row of its map.
-struct Truth
+struct ReferenceResult
 {
   const char* Name;
   const std::vector<float>& Light;
@@ -147,11 +147,11 @@ public:
   }
 
   /// light: in units of the open light.
-  void Add(
-    const std::string& setting, const std::vector<float>& light, const std::vector<Truth>& truths)
+  void Add(const std::string& setting, const std::vector<float>& light,
+    const std::vector<ReferenceResult>& truths)
   {
     this->Sheet.Rows[0].Panels.push_back({ setting, this->Draw(light) });
-    for (const Truth& truth : truths)
+    for (const ReferenceResult& truth : truths)
     {
       const Errors errors = ErrorsOf(light, truth.Light);
       this->Sheet.Table.push_back({ setting, truth.Name, errors });
@@ -168,7 +168,7 @@ public:
 
   void AddCreases(std::size_t row, const std::string& setting, const std::vector<float>& light)
   {
-    const std::vector<float> creases = Creases(this->Terrain.Truth, light);
+    const std::vector<float> creases = Creases(this->Terrain.Heights, light);
     const Errors size = ErrorsOf(creases, std::vector<float>(creases.size(), 0.0f));
     this->Sheet.Numbers.push_back(
       { setting, "largest crease, % of the open light", 100.0 * size.Largest });
@@ -182,7 +182,7 @@ private:
     {
       value *= static_cast<float>(Pi);
     }
-    return this->Room.Draw(this->Terrain.Truth, Grey(light), this->View);
+    return this->Room.Draw(this->Terrain.Heights, Grey(light), this->View);
   }
 
   /// Adds a map below the view that was added last.
@@ -243,7 +243,7 @@ public:
     return CutOff(TransferShading(
       this->Terrain, ExactHorizons(this->Terrain), this->Extent, KeyAzimuths, this->Fitted));
   }
-  std::vector<Truth> Truths() const
+  std::vector<ReferenceResult> Truths() const
   {
     return { { "exact horizons", this->Exact, 1 }, { "direct", this->Whole, 2 } };
   }
@@ -379,8 +379,9 @@ Figure Swaths(Studio& studio, const Scale& scale)
       PublishedVisibility(scene.East.size(), PyramidHorizons(scene, 4.0, 2.0), swath, azimuths),
       PublishedUnit(peak, swath, azimuths)));
     study.Add(Text("swath %g degrees", degrees), shading, { { "direct", truth, 1 } });
-    figure.Numbers.push_back({ Text("swath %g degrees", degrees),
-      "steepest edge, % of the open light per metre", 100.0 * SteepestEdge(scene.Truth, shading) });
+    figure.Numbers.push_back(
+      { Text("swath %g degrees", degrees), "steepest edge, % of the open light per metre",
+        100.0 * SteepestEdge(scene.Heights, shading) });
     narrowest = truth;
   }
   study.Add("direct, 11.25 degrees", narrowest, {});

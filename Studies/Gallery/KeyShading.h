@@ -4,8 +4,8 @@
 #ifndef skyline_KeyShading_h
 #define skyline_KeyShading_h
 
-#include "Harmonics/KeyLight.h"
 #include "Horizon/HorizonMethod.h"
+#include "Reference/KeyLight.h"
 #include "Reference/LampScene.h"
 
 #include <array>

@@ -24,7 +24,7 @@ Lamp LampOf(const Scene& scene, const ColoredLamp& colored)
   Lamp lamp;
   lamp.X = colored.Ball.Centre.X;
   lamp.Y = colored.Ball.Centre.Y;
-  lamp.Z = colored.Ball.Centre.Z - testing::BaseOf(scene.Truth);
+  lamp.Z = colored.Ball.Centre.Z - testing::BaseOf(scene.Heights);
   lamp.Radius = colored.Ball.Radius;
   lamp.Radiance = colored.Radiance;
   return lamp;

@@ -65,9 +65,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   try
   {
     command.parse(arguments);
-    skyline::Talk talk;
-    talk.Quiet = true;
-    const auto lights = skyline::MakeLights(asked, terrain, talk);
+    skyline::CommonOptions common;
+    common.Quiet = true;
+    const auto lights = skyline::MakeLights(asked, terrain, common);
     vtkNew<vtkHeightFieldIrradiance> irradiance;
     irradiance->SetInputData(terrain);
     irradiance->SetNumberOfAzimuths(4);

@@ -42,7 +42,7 @@ def told(proxy):
     return window.GetOutput()
 
 
-def expect_told(proxy, *words):
+def expect_error(proxy, *words):
     """The message must contain all of the words."""
     text = told(proxy)
     for word in words:
@@ -61,15 +61,15 @@ def test_data_types():
         wanted.RemoveAllProxies()
         wanted.AddInputConnection(grid.SMProxy, 0)
         expect(wanted.IsInDomains() == 0, f"{name} is not for unstructured grids")
-    expect_told(filters["Horizon"](Input=grid), "vtkImageData", "vtkUnstructuredGrid")
+    expect_error(filters["Horizon"](Input=grid), "vtkImageData", "vtkUnstructuredGrid")
 
 
 def test_shapes():
     """A volume, a row, no spacing"""
-    expect_told(filters["Horizon"](Input=image(dimensions="4, 4, 3")), "3 slices")
-    expect_told(filters["SkyView"](Input=image(dimensions="5, 1, 1")), "5 x 1")
-    expect_told(filters["Horizon"](Input=image(spacing="0, 10, 10")), "spacing", "0")
-    expect_told(filters["Horizon"](Input=image(spacing="float('nan'), 10, 10")), "spacing", "nan")
+    expect_error(filters["Horizon"](Input=image(dimensions="4, 4, 3")), "3 slices")
+    expect_error(filters["SkyView"](Input=image(dimensions="5, 1, 1")), "5 x 1")
+    expect_error(filters["Horizon"](Input=image(spacing="0, 10, 10")), "spacing", "0")
+    expect_error(filters["Horizon"](Input=image(spacing="float('nan'), 10, 10")), "spacing", "nan")
 
 
 def test_heights():
@@ -78,45 +78,45 @@ def test_heights():
         Input=image(value="float('nan') if post in (7, 8) else post % 7"), Azimuths=4)
     missing = np.isnan(points(holes, "HorizonElevation")).all(axis=1)
     expect(list(np.flatnonzero(missing)) == [7, 8], "two posts are missing")
-    expect_told(filters["SkyView"](Input=image(value="float('nan')")), "every post is missing")
+    expect_error(filters["SkyView"](Input=image(value="float('nan')")), "every post is missing")
     other = filters["SunShadow"](Input=image())
     other.Heights = ["POINTS", "nothing"]
-    expect_told(other, "no heights")
+    expect_error(other, "no heights")
 
 
 def test_times():
     """A text that is no time, a time out of range, no place on the Earth"""
     dem = read_dem()
-    expect_told(filters["SunShadow"](Input=dem, UseTime=1, Time="21 June"), "21 June", "2026-06-21T")
-    expect_told(filters["Irradiance"](Input=dem, Sun="Time", SunTime="2026-02-30"), "2026-02-30")
-    expect_told(filters["Irradiance"](Input=dem, Sun="Time", SunTime=""), "no time", "2026-06-21T")
-    expect_told(filters["SunShadow"](Input=dem, UseTime=1, Time="2026-06-21T14:00Z",
+    expect_error(filters["SunShadow"](Input=dem, UseTime=1, Time="21 June"), "21 June", "2026-06-21T")
+    expect_error(filters["Irradiance"](Input=dem, Sun="Time", SunTime="2026-02-30"), "2026-02-30")
+    expect_error(filters["Irradiance"](Input=dem, Sun="Time", SunTime=""), "no time", "2026-06-21T")
+    expect_error(filters["SunShadow"](Input=dem, UseTime=1, Time="2026-06-21T14:00Z",
         HoursLater=1e9), "hours")
-    expect_told(filters["ShadedMap"](Input=dem, UseTime=1, Time="3026-06-21T14:00Z"), "3026")
-    expect_told(filters["SunShadow"](Input=image(), UseTime=1), "coordinate reference system")
+    expect_error(filters["ShadedMap"](Input=dem, UseTime=1, Time="3026-06-21T14:00Z"), "3026")
+    expect_error(filters["SunShadow"](Input=image(), UseTime=1), "coordinate reference system")
 
 
 def test_lights():
     """Light maps that are not there, lamps that cannot be"""
     dem = read_dem()
     make = filters["Irradiance"]
-    expect_told(make(Input=dem, Sky="Light map (file)"), "Environment File")
-    expect_told(make(Input=dem, Sky="Light map (file)", EnvironmentFile="/none/sky.hdr"),
+    expect_error(make(Input=dem, Sky="Light map (file)"), "Environment File")
+    expect_error(make(Input=dem, Sky="Light map (file)", EnvironmentFile="/none/sky.hdr"),
         "/none/sky.hdr")
-    expect_told(make(Input=dem, Sky="Light map (file)",
+    expect_error(make(Input=dem, Sky="Light map (file)",
         EnvironmentFile=DATA + "/dem/SainteHelens.tif"), "SainteHelens.tif")
-    expect_told(make(Input=dem, Lamps=[0, 0, 0, -1, 1, 1, 1]), "radius", "-1")
-    expect_told(make(Input=dem, Lamps=[0, 0, 0, 1, -2, 1, 1]), "-2")
-    expect_told(make(Input=dem, Sun="None", Sky="None"), "light")
+    expect_error(make(Input=dem, Lamps=[0, 0, 0, -1, 1, 1, 1]), "radius", "-1")
+    expect_error(make(Input=dem, Lamps=[0, 0, 0, 1, -2, 1, 1]), "-2")
+    expect_error(make(Input=dem, Sun="None", Sky="None"), "light")
 
 
 def test_files():
     """Files that are not there or no rasters; a band too many"""
-    expect_told(filters["HeightFieldReader"](FileName="/none/dem.tif"), "/none/dem.tif")
-    expect_told(filters["HeightFieldReader"](FileName=__file__), "TestBadInput.py")
-    expect_told(filters["HeightFieldReader"](
+    expect_error(filters["HeightFieldReader"](FileName="/none/dem.tif"), "/none/dem.tif")
+    expect_error(filters["HeightFieldReader"](FileName=__file__), "TestBadInput.py")
+    expect_error(filters["HeightFieldReader"](
         FileName=DATA + "/dem/SainteHelens.tif", Band=7), "7", "SainteHelens.tif")
-    expect_told(filters["LightMapReader"](FileName="/none/sky.exr"), "/none/sky.exr")
+    expect_error(filters["LightMapReader"](FileName="/none/sky.exr"), "/none/sky.exr")
 
 
 main(test_data_types, test_shapes, test_heights, test_times, test_lights, test_files)

@@ -18,7 +18,7 @@ import unittest
 import numpy as np
 import skyline
 
-MODULES = [skyline._doors, skyline._images, skyline._check, skyline._lights, skyline._run]
+MODULES = [skyline._functions, skyline._images, skyline._check, skyline._lights, skyline._run]
 FUNCTIONS = ["horizon", "sky_view", "sun_visibility", "shadow_height", "irradiance", "sun_position",
              "read", "write", "to_image", "to_array", "update"]
 

@@ -49,7 +49,7 @@ inline oracle::OracleField Hills(std::ptrdiff_t columns, std::ptrdiff_t rows)
 }
 
 /// Hills with missing areas.
-inline oracle::OracleField HolyHills(std::ptrdiff_t columns, std::ptrdiff_t rows)
+inline oracle::OracleField HillsWithHoles(std::ptrdiff_t columns, std::ptrdiff_t rows)
 {
   oracle::OracleField field = Hills(columns, rows);
   shapes::RemoveIslands(field, 5, 4, 3);

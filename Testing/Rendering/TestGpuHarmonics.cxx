@@ -77,7 +77,7 @@ TEST_F(Harmonics, OfEveryOrder)
 
 TEST_F(Harmonics, BesideMissingPosts)
 {
-  this->ExpectParity(HolyHills(131, 97), [](auto*) {});
+  this->ExpectParity(HillsWithHoles(131, 97), [](auto*) {});
 }
 
 TEST_F(Harmonics, OfSwathsAndLevels)
@@ -155,7 +155,7 @@ TEST_F(Harmonics, TileByTile)
 {
   this->Device->SetTextureLimit(48);
   this->ExpectParity(Hills(131, 97), [](auto*) {});
-  this->ExpectParity(HolyHills(101, 30), [](auto*) {});
+  this->ExpectParity(HillsWithHoles(101, 30), [](auto*) {});
 }
 
 } // namespace

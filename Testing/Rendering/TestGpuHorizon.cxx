@@ -59,7 +59,7 @@ TEST_F(Horizons, AreExact)
 
 TEST_F(Horizons, BesideMissingPosts)
 {
-  EXPECT_LT(this->Parity(HolyHills(131, 97), vtkHeightFieldHorizon::EXACT), RoundingTolerance);
+  EXPECT_LT(this->Parity(HillsWithHoles(131, 97), vtkHeightFieldHorizon::EXACT), RoundingTolerance);
 }
 
 TEST_F(Horizons, OfTheSmallestFields)
@@ -103,12 +103,13 @@ TEST_F(Horizons, TileByTile)
 {
   this->Device->SetTextureLimit(40);
   EXPECT_LT(this->Parity(Hills(91, 67), vtkHeightFieldHorizon::EXACT, 10), RoundingTolerance);
-  EXPECT_LT(this->Parity(HolyHills(61, 44), vtkHeightFieldHorizon::EXACT, 10), RoundingTolerance);
+  EXPECT_LT(
+    this->Parity(HillsWithHoles(61, 44), vtkHeightFieldHorizon::EXACT, 10), RoundingTolerance);
 }
 
 TEST_F(Horizons, GoIntoHarmonicsToo)
 {
-  const auto image = ImageOf<vtkDoubleArray>(HolyHills(70, 90));
+  const auto image = ImageOf<vtkDoubleArray>(HillsWithHoles(70, 90));
   vtkNew<vtkOpenGLHeightFieldTransfer> gpu;
   gpu->SetDevice(this->Device);
   vtkNew<vtkHeightFieldTransfer> host;

@@ -69,7 +69,7 @@ protected:
 
 TEST_F(Irradiance, IsThatOfTheHost)
 {
-  EXPECT_LT(this->Parity(ImageOf<vtkDoubleArray>(HolyHills(90, 70))), RoundingTolerance);
+  EXPECT_LT(this->Parity(ImageOf<vtkDoubleArray>(HillsWithHoles(90, 70))), RoundingTolerance);
   this->Gpu->HorizontalOn();
   this->Host->HorizontalOn();
   EXPECT_LT(this->Parity(ImageOf<vtkDoubleArray>(Hills(60, 70))), RoundingTolerance);

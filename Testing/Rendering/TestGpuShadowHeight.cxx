@@ -87,7 +87,7 @@ TEST_F(ShadowGpu, ExactInAllOctants)
 
 TEST_F(ShadowGpu, ExactBesideMissingPosts)
 {
-  this->Compare(ImageOf<vtkDoubleArray>(HolyHills(97, 131)), vtkHeightFieldShadowHeight::EXACT,
+  this->Compare(ImageOf<vtkDoubleArray>(HillsWithHoles(97, 131)), vtkHeightFieldShadowHeight::EXACT,
     RoundingTolerance, AllAround());
 }
 
@@ -146,7 +146,7 @@ TEST_F(SweepGpu, AsPublishedInAllOctants)
 
 TEST_F(SweepGpu, AsPublishedOverHolesAndOnTheSmallestFields)
 {
-  this->Compare(ImageOf<vtkDoubleArray>(HolyHills(131, 97)), vtkHeightFieldShadowHeight::SWEEP,
+  this->Compare(ImageOf<vtkDoubleArray>(HillsWithHoles(131, 97)), vtkHeightFieldShadowHeight::SWEEP,
     SweepTolerance, AllAround());
   this->Compare(ImageOf<vtkDoubleArray>(Hills(2, 9)), vtkHeightFieldShadowHeight::SWEEP,
     SweepTolerance, AllAround());
@@ -154,7 +154,7 @@ TEST_F(SweepGpu, AsPublishedOverHolesAndOnTheSmallestFields)
 
 TEST_F(SweepGpu, HullsAsTheHostKeepsThem)
 {
-  for (const auto& field : { Hills(131, 97), HolyHills(97, 131), Hills(2, 9) })
+  for (const auto& field : { Hills(131, 97), HillsWithHoles(97, 131), Hills(2, 9) })
   {
     const auto image = ImageOf<vtkDoubleArray>(field);
     vtkNew<vtkOpenGLHeightFieldHorizon> gpu;

@@ -41,7 +41,7 @@ Rgb Decode(double red, double green, double blue)
 }
 
 // A picture of one colour, used as a draped texture.
-vtkSmartPointer<vtkImageData> Cloth(int red, int green, int blue)
+vtkSmartPointer<vtkImageData> PlainTexture(int red, int green, int blue)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(2, 2, 1);
@@ -277,13 +277,13 @@ TEST_F(SoftShadowMapper, DrapedTexturesAreTheAlbedo)
   places->FillComponent(1, 0.5);
   this->Mapper->GetInput()->GetPointData()->SetTCoords(places);
   vtkNew<vtkTexture> texture;
-  texture->SetInputData(Cloth(200, 100, 40));
+  texture->SetInputData(PlainTexture(200, 100, 40));
   this->Actor->SetTexture(texture);
   const Rgb albedo = Decode(200.0 / 255.0, 100.0 / 255.0, 40.0 / 255.0);
   ExpectNear(this->Middle(), Seen(albedo, Light(0.5 * Pi)), "codes");
   // The same texture, as linear light.
   vtkNew<vtkTexture> linear;
-  linear->SetInputData(Cloth(200, 100, 40));
+  linear->SetInputData(PlainTexture(200, 100, 40));
   linear->UseSRGBColorSpaceOn();
   this->Actor->SetTexture(linear);
   ExpectNear(this->Middle(), Seen(albedo, Light(0.5 * Pi)), "light");

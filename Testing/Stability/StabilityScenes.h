@@ -47,7 +47,7 @@ inline oracle::OracleField Raised(oracle::OracleField field, double metres)
 }
 
 /// Hills in which each seventh post has one of these values, in turn.
-inline oracle::OracleField Peppered(const std::vector<double>& values)
+inline oracle::OracleField HillsWithValues(const std::vector<double>& values)
 {
   oracle::OracleField field = shapes::Fractal(29, 23, 30.0, 600.0, 7);
   for (std::size_t post = 3; post < field.Heights.size(); post += 7)
@@ -113,10 +113,10 @@ inline const std::vector<StabilityScene>& StabilityScenes()
     { "TwoByMany", [] { return Fractal(2, 67, 30.0, 300.0, 4); } },
     { "ManyByTwo", [] { return Fractal(67, 2, 30.0, 300.0, 4); } },
     { "PrimeSizes", [] { return Fractal(37, 31, 30.0, 600.0, 4); } },
-    { "NotANumber", [] { return Peppered({ std::nan("") }); } },
+    { "NotANumber", [] { return HillsWithValues({ std::nan("") }); } },
     { "Infinities",
       [] {
-        return Peppered({ infinite, -infinite, std::nan("") });
+        return HillsWithValues({ infinite, -infinite, std::nan("") });
       } },
     { "MissingIslands",
       []

@@ -69,7 +69,7 @@ private:
 };
 
 // Returns why there is not enough memory (needed: gigabytes), or an empty string if there is.
-std::string Lacking(double needed)
+std::string MemoryShortage(double needed)
 {
   const double free = 1.0e-9 * FreeMemory();
   return free > needed
@@ -172,7 +172,7 @@ protected:
 
 TEST_F(HugeHorizons, OverRows)
 {
-  const std::string lacking = Lacking(11.0); // heights 8.6, bounds 1.2
+  const std::string lacking = MemoryShortage(11.0); // heights 8.6, bounds 1.2
   if (!lacking.empty())
   {
     GTEST_SKIP() << lacking;
@@ -187,7 +187,7 @@ TEST_F(HugeHorizons, OverColumns)
 {
   // Heights are stored twice: a machine of 24 GB cannot hold more posts.
   constexpr std::ptrdiff_t side = 40000;
-  const std::string lacking = Lacking(14.5);
+  const std::string lacking = MemoryShortage(14.5);
   if (!lacking.empty())
   {
     GTEST_SKIP() << lacking;
@@ -204,7 +204,7 @@ TEST(HugeFilter, HorizonOfEveryPost)
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "an hour under the sanitizers: the preset huge runs it";
 #endif
-  const std::string lacking = Lacking(15.8); // heights 1.6 and 6.4, bounds 0.9, results 6.4
+  const std::string lacking = MemoryShortage(15.8); // heights 1.6 and 6.4, bounds 0.9, results 6.4
   if (!lacking.empty())
   {
     GTEST_SKIP() << lacking;

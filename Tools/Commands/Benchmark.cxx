@@ -130,11 +130,11 @@ struct BenchmarkCommand
 {
   SessionOptions Options;
   std::string Folder;
-  skyline::Talk Talk;
+  skyline::CommonOptions Common;
 
   void Run(const std::string& words)
   {
-    skyline::PrepareVtk(this->Talk);
+    skyline::PrepareVtk(this->Common);
     if (this->Options.Scenes.empty())
     {
       this->Options.Scenes = SceneNames();
@@ -157,7 +157,7 @@ struct BenchmarkCommand
       skyline::RefuseOverlap((fs::path(this->Folder) / name).string(), this->Options.Rasters);
     }
     ReportFolder folder(this->Folder);
-    const bool shown = !this->Talk.Quiet && isatty(STDERR_FILENO) != 0;
+    const bool shown = !this->Common.Quiet && isatty(STDERR_FILENO) != 0;
     const Session session = RunSession(
       this->Options,
       [&](std::size_t done, std::size_t all, const std::string& what)
@@ -184,7 +184,7 @@ struct BenchmarkCommand
       files.emplace_back("pareto.svg", picture);
     }
     folder.Fill(files);
-    if (!this->Talk.Quiet)
+    if (!this->Common.Quiet)
     {
       std::printf("%s: %zu measurements in %.0f s, %zu left out for lack of time\n",
         (fs::path(this->Folder) / "index.html").c_str(), session.Findings.size(), session.Seconds,
@@ -205,7 +205,7 @@ void AddBenchmark(CLI::App& program)
   const auto command = std::make_shared<BenchmarkCommand>();
   app->footer(
     "Writes a folder: index.html with charts and all figures, results.csv, results.json, and the\n"
-    "main chart as pareto.svg. Truth is every crossed edge in double precision, at posts drawn by "
+    "main chart as pareto.svg. ReferenceHorizons is every crossed edge in double precision, at posts drawn by "
     "lot.\nGRASS, SAGA and gdaldem join where they are installed, Embree where it was when skyline "
     "was built.\nTimes are CPU time of one thread: other work on the machine disturbs them, but "
     "all alike.");
@@ -265,7 +265,7 @@ void AddBenchmark(CLI::App& program)
     { "seconds from 0 to 1000000, as in --budget 600", 0.0, MostBudget },
     "Seconds after which no measurement begins; what matters most is measured first")
     ->type_name("SECONDS");
-  app->add_flag("-q,--quiet", command->Talk.Quiet, "No progress, no last line");
+  app->add_flag("-q,--quiet", command->Common.Quiet, "No progress, no last line");
   app->callback([command] { command->Run(CommandLine()); });
 }
 

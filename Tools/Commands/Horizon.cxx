@@ -19,24 +19,24 @@ struct HorizonCommand
   skyline::TerrainOptions Terrain;
   skyline::OutputOptions Output;
   skyline::HorizonOptions Horizon;
-  skyline::Talk Talk;
+  skyline::CommonOptions Common;
 
   void Check(const skyline::IdleOptions& options) const { this->Horizon.RefuseIdle(options); }
 
   void Run() const
   {
-    skyline::PrepareVtk(this->Talk);
+    skyline::PrepareVtk(this->Common);
     skyline::CheckRasterOutput(this->Output.File, { this->Terrain.File });
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
-    this->Horizon.WarnIdle(terrain, this->Talk);
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Common, this->Output.File);
+    this->Horizon.WarnIdle(terrain, this->Common);
 
     vtkNew<vtkHeightFieldHorizon> horizon;
     horizon->SetInputData(terrain);
     horizon->SetNumberOfAzimuths(this->Horizon.Azimuths);
     this->Horizon.Apply(horizon.Get());
-    skyline::RunPass(horizon, "horizon", this->Talk);
+    skyline::RunPass(horizon, "horizon", this->Common);
 
-    skyline::WriteRaster(horizon, { "HorizonElevation" }, this->Output, this->Talk);
+    skyline::WriteRaster(horizon, { "HorizonElevation" }, this->Output, this->Common);
   }
 };
 
@@ -55,7 +55,7 @@ void AddHorizon(CLI::App& program)
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write");
   command->Horizon.AddTo(*app);
-  AddTalk(*app, command->Talk);
+  AddCommonOptions(*app, command->Common);
   app->callback(
     [command, app]
     {

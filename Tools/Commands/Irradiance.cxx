@@ -36,7 +36,7 @@ struct IrradianceCommand
   int Bands = 4;
   bool NoRefinement = false;
   bool Horizontal = false;
-  skyline::Talk Talk;
+  skyline::CommonOptions Common;
 
   // The type of the sky; a uniform one if the user wants no light.
   skyline::SkyKind Kind() const
@@ -60,37 +60,37 @@ struct IrradianceCommand
     options.Refuse(
       !harmonics, { "--bands" }, "only the method sh has them; leave it out, or add --method sh");
     options.Warn(harmonics && !sun && kind == SkyKind::Uniform, { "--bands" },
-      "all of a uniform sky lies in the first band", this->Talk);
+      "all of a uniform sky lies in the first band", this->Common);
     const bool lampsAlone = kind == SkyKind::None && !sun;
     options.Refuse(lampsAlone && harmonics, { "--method" },
       "the method sh does not compute lamps; leave it out, or give a sky or a sun");
     options.Warn(
-      lampsAlone, { "--horizon", "--tolerance" }, "lamps alone need no horizons", this->Talk);
+      lampsAlone, { "--horizon", "--tolerance" }, "lamps alone need no horizons", this->Common);
     const bool drawn = sun && this->Lights.Sun.Radius.value_or(0.0) > skyline::LargestSunRadius;
     options.Warn(lampsAlone || (!harmonics && kind == SkyKind::None && !drawn),
       { "--azimuths", "--quadrature", "--no-refinement" },
-      "only a sky is spread over azimuths, a sun or a lamp has its own", this->Talk);
+      "only a sky is spread over azimuths, a sun or a lamp has its own", this->Common);
     options.Warn((kind == SkyKind::Uniform || kind == SkyKind::Zonal) && !drawn,
       { "--no-refinement" }, "this sky is equally bright all around and is not refined",
-      this->Talk);
+      this->Common);
   }
 
   void Run() const
   {
-    skyline::PrepareVtk(this->Talk);
+    skyline::PrepareVtk(this->Common);
     skyline::CheckRasterOutput(
       this->Output.File, { this->Terrain.File, this->Lights.Sky ? this->Lights.Sky->Text : "" });
-    skyline::WarnOfZone(this->Lights.Sun, this->Talk);
+    skyline::WarnOfZone(this->Lights.Sun, this->Common);
     if (this->Kind() == skyline::SkyKind::Formula && !this->Lights.Sun.Asked())
     {
       skyline::PrintWarning(skyline::Doubt{ "the sky " + this->Lights.Sky->Text +
                                 " is brighter around the sun, and no sun is given",
                               "its sun at azimuth 315, elevation 45", "--sun AZ,EL" },
-        this->Talk);
+        this->Common);
     }
-    skyline::WarnOfTurnedSky(this->Lights, this->Kind(), this->Talk);
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
-    this->Horizon.WarnIdle(terrain, this->Talk);
+    skyline::WarnOfTurnedSky(this->Lights, this->Kind(), this->Common);
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Common, this->Output.File);
+    this->Horizon.WarnIdle(terrain, this->Common);
     vtkNew<vtkHeightFieldIrradiance> light;
     light->SetInputData(terrain);
     light->SetNumberOfAzimuths(this->Horizon.Azimuths);
@@ -101,18 +101,18 @@ struct IrradianceCommand
     light->SetHarmonicBands(this->Bands);
     light->SetRefine(!this->NoRefinement);
     light->SetHorizontal(this->Horizontal);
-    for (const auto& one : skyline::MakeLights(this->Lights, terrain, this->Talk))
+    for (const auto& one : skyline::MakeLights(this->Lights, terrain, this->Common))
     {
       light->AddLight(one);
     }
-    skyline::RunPass(light, "irradiance", this->Talk);
-    if (this->Talk.Verbose)
+    skyline::RunPass(light, "irradiance", this->Common);
+    if (this->Common.Verbose)
     {
       std::fprintf(stderr, "%-14s %d azimuths, %d environment, %d sun, %d lamp passes\n", "",
         light->GetSearchedAzimuths(), light->GetEnvironmentPasses(), light->GetSunPasses(),
         light->GetLampPasses());
     }
-    skyline::WriteRaster(light, { "Irradiance" }, this->Output, this->Talk);
+    skyline::WriteRaster(light, { "Irradiance" }, this->Output, this->Common);
   }
 };
 
@@ -154,7 +154,7 @@ void AddIrradiance(CLI::App& program)
   HorizonNeeds needs;
   needs.Method = "--horizon";
   command->Horizon.AddTo(*app, needs);
-  AddTalk(*app, command->Talk);
+  AddCommonOptions(*app, command->Common);
   app->callback(
     [command, app]
     {

@@ -4,7 +4,7 @@
 #include "Failure.h"
 #include "Interrupt.h"
 #include "IoFailure.h"
-#include "Passes.h"
+#include "RunPass.h"
 #include "Shared/NearName.h"
 #include "Values.h"
 
@@ -132,9 +132,9 @@ int Run(int argc, char** argv)
     }
     program.parse(argc, argv); // also runs the command
   }
-  catch (const CLI::Success& wish) // --help, --version
+  catch (const CLI::Success& request) // --help, --version
   {
-    return program.exit(wish);
+    return program.exit(request);
   }
   catch (const CLI::ParseError& error)
   {

@@ -37,14 +37,14 @@ struct ShadeCommand
   skyline::OutputOptions Output;
   skyline::HorizonOptions Horizon;
   skyline::LightDescription Lights;
-  skyline::Talk Talk;
+  skyline::CommonOptions Common;
   skyline::LookOptions Look;
   std::string View = "map";
   skyline::PerspectiveOptions Perspective;
 
   void RunPass(vtkAlgorithm* filter, const std::string& title) const
   {
-    skyline::RunPass(filter, title, this->Talk);
+    skyline::RunPass(filter, title, this->Common);
   }
 
   vtkSmartPointer<vtkImageData> CastShadows(vtkImageData* terrain, vtkSkylineSunLight* sun) const
@@ -118,7 +118,7 @@ struct ShadeCommand
       }
     }
     const auto filter = skyline::MakeIrradiancePass(terrain, this->Horizon);
-    for (const auto& light : skyline::MakeLights(wanted, terrain, this->Talk))
+    for (const auto& light : skyline::MakeLights(wanted, terrain, this->Common))
     {
       auto* environment = vtkSkylineEnvironmentLight::SafeDownCast(light);
       if (this->Kind() == skyline::SkyKind::Formula && environment)
@@ -149,7 +149,7 @@ struct ShadeCommand
       skyline::PrintWarning(
         skyline::Doubt{ "--sun-irradiance is given, and the sun is below the horizon",
           "no light of the sun", "" },
-        this->Talk);
+        this->Common);
     }
     skyline::ReplaceSun(this->Lights.Sun.Irradiance, day);
     return day;
@@ -157,17 +157,17 @@ struct ShadeCommand
 
   void Run() const
   {
-    skyline::PrepareVtk(this->Talk);
+    skyline::PrepareVtk(this->Common);
     const skyline::PictureFormat format = skyline::FormatOf(this->Output.File);
-    skyline::WarnOfZone(this->Lights.Sun, this->Talk);
-    skyline::WarnOfTurnedSky(this->Lights, this->Kind(), this->Talk);
+    skyline::WarnOfZone(this->Lights.Sun, this->Common);
+    skyline::WarnOfTurnedSky(this->Lights, this->Kind(), this->Common);
     skyline::CheckOutput(this->Output.File, { this->Terrain.File, this->Lights.Sky->Text });
 
     const auto terrain = skyline::Exaggerate(
-      skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File), this->Look.Exaggeration,
+      skyline::ReadTerrain(this->Terrain, this->Common, this->Output.File), this->Look.Exaggeration,
       [this](vtkAlgorithm* filter, const std::string& title) { this->RunPass(filter, title); });
-    this->Horizon.WarnIdle(terrain, this->Talk);
-    const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
+    this->Horizon.WarnIdle(terrain, this->Common);
+    const skyline::Center center = skyline::CenterOf(terrain, this->Common);
     const skyline::SunLight sun = skyline::FindSun(this->Lights.Sun, center.Place, center.Height);
     vtkNew<vtkSkylineSunLight> shared; // used by shadows and shading
     skyline::ApplySun(this->Lights.Sun, sun, shared);
@@ -205,9 +205,9 @@ struct ShadeCommand
     {
       const skyline::PerspectiveLight seen{ shading->GetUsedExposure(), light.SkyRadiance };
       picture->SetOutput(
-        skyline::DrawPerspective(shading->GetOutput(), seen, this->Perspective, this->Talk));
+        skyline::DrawPerspective(shading->GetOutput(), seen, this->Perspective, this->Common));
     }
-    skyline::WritePicture(picture, format, this->Output, this->Talk);
+    skyline::WritePicture(picture, format, this->Output, this->Common);
   }
 };
 
@@ -241,7 +241,7 @@ void AddShade(CLI::App& program)
     ->capture_default_str();
   command->Perspective.AddTo(*app);
   command->Horizon.AddTo(*app);
-  AddTalk(*app, command->Talk);
+  AddCommonOptions(*app, command->Common);
   app->callback(
     [command, app]
     {

@@ -25,7 +25,7 @@ struct ShadowHeightCommand
   skyline::HorizonOptions Horizon;
   skyline::SunDescription Sun;
   bool Soft = false;
-  skyline::Talk Talk;
+  skyline::CommonOptions Common;
 
   void Check(const skyline::IdleOptions& options) const
   {
@@ -33,23 +33,23 @@ struct ShadowHeightCommand
     options.Refuse(!this->Soft, { "--sun-radius" },
       "the shadow of the sun's middle has none; add --soft, or leave it out");
     options.Warn(this->Soft && this->Sun.Radius == 0.0, { "--soft" },
-      "both limbs of a sun with the radius 0 are its middle", this->Talk);
+      "both limbs of a sun with the radius 0 are its middle", this->Common);
   }
 
   void Run() const
   {
-    skyline::PrepareVtk(this->Talk);
+    skyline::PrepareVtk(this->Common);
     skyline::CheckRasterOutput(this->Output.File, { this->Terrain.File });
-    skyline::WarnOfZone(this->Sun, this->Talk);
+    skyline::WarnOfZone(this->Sun, this->Common);
     if (this->Horizon.Method == "fast")
     {
       skyline::PrintWarning(
         skyline::Doubt{ "no method finds shadow heights faster than exact", "--method exact", "" },
-        this->Talk);
+        this->Common);
     }
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
-    this->Horizon.WarnIdle(terrain, this->Talk);
-    const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Common, this->Output.File);
+    this->Horizon.WarnIdle(terrain, this->Common);
+    const skyline::Center center = skyline::CenterOf(terrain, this->Common);
     const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
     vtkNew<vtkHeightFieldShadowHeight> shadow;
     shadow->SetInputData(terrain);
@@ -57,13 +57,13 @@ struct ShadowHeightCommand
     skyline::ApplySun(this->Sun, sun, shadow->GetSun());
     shadow->UseTimeOff(); // uses the sun over the centre, as the command prints it
     shadow->SetSoft(this->Soft);
-    skyline::RunPass(shadow, "shadow height", this->Talk);
+    skyline::RunPass(shadow, "shadow height", this->Common);
     std::vector<std::string> bands{ "ShadowHeight" };
     if (this->Soft)
     {
       bands.insert(bands.end(), { "ShadowHeightUpper", "ShadowHeightLower" });
     }
-    skyline::WriteRaster(shadow, bands, this->Output, this->Talk);
+    skyline::WriteRaster(shadow, bands, this->Output, this->Common);
   }
 };
 
@@ -92,7 +92,7 @@ void AddShadowHeight(CLI::App& program)
   needs.Azimuths = false;
   needs.Heights = true;
   command->Horizon.AddTo(*app, needs);
-  AddTalk(*app, command->Talk);
+  AddCommonOptions(*app, command->Common);
   app->callback(
     [command, app]
     {

@@ -31,7 +31,7 @@ struct SkyViewCommand
   skyline::HorizonOptions Horizon;
   std::vector<std::string> Quantities;
   std::optional<double> EdgeDistance; // metres
-  skyline::Talk Talk;
+  skyline::CommonOptions Common;
 
   void Check(const skyline::IdleOptions& options) const
   {
@@ -44,7 +44,7 @@ struct SkyViewCommand
 
   void Run() const
   {
-    skyline::PrepareVtk(this->Talk);
+    skyline::PrepareVtk(this->Common);
     skyline::CheckRasterOutput(this->Output.File, { this->Terrain.File });
 
     // Each quantity once, in the order given by the user.
@@ -59,8 +59,8 @@ struct SkyViewCommand
     const auto asked = [&](const char* name)
     { return std::find(wanted.begin(), wanted.end(), name) != wanted.end(); };
 
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
-    this->Horizon.WarnIdle(terrain, this->Talk);
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Common, this->Output.File);
+    this->Horizon.WarnIdle(terrain, this->Common);
     vtkNew<vtkHeightFieldSkyView> sky;
     sky->SetInputData(terrain);
     sky->SetNumberOfAzimuths(this->Horizon.Azimuths);
@@ -75,9 +75,9 @@ struct SkyViewCommand
       sky->AutoEdgeDistanceOff();
       sky->SetEdgeDistance(*this->EdgeDistance);
     }
-    skyline::RunPass(sky, "sky view", this->Talk);
+    skyline::RunPass(sky, "sky view", this->Common);
 
-    skyline::WriteRaster(sky, wanted, this->Output, this->Talk);
+    skyline::WriteRaster(sky, wanted, this->Output, this->Common);
   }
 };
 
@@ -117,7 +117,7 @@ void AddSkyView(CLI::App& program)
     "Default: 1000, or a tenth of the DEM's shorter side if that is less")
     ->type_name("METRES");
   command->Horizon.AddTo(*app);
-  AddTalk(*app, command->Talk);
+  AddCommonOptions(*app, command->Common);
   app->callback(
     [command, app]
     {

@@ -28,12 +28,12 @@ struct SunCommand
   skyline::OutputOptions Output;
   skyline::HorizonOptions Horizon;
   skyline::SunDescription Sun;
-  skyline::Talk Talk;
+  skyline::CommonOptions Common;
 
   // Prints the sun at the centre of the DEM: one `name: value unit` per line, with fixed names.
   void Print() const
   {
-    const skyline::Center center = skyline::ReadCenter(this->Terrain, this->Talk);
+    const skyline::Center center = skyline::ReadCenter(this->Terrain, this->Common);
     const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
     const auto degrees = [](const char* name, double value)
     { std::printf("%s: %.5f degree\n", name, value); };
@@ -75,16 +75,16 @@ struct SunCommand
   void Write() const
   {
     skyline::CheckRasterOutput(this->Output.File, { this->Terrain.File });
-    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Talk, this->Output.File);
-    this->Horizon.WarnIdle(terrain, this->Talk);
+    const auto terrain = skyline::ReadTerrain(this->Terrain, this->Common, this->Output.File);
+    this->Horizon.WarnIdle(terrain, this->Common);
     vtkNew<vtkHeightFieldSunShadow> shadow;
     shadow->SetInputData(terrain);
     this->Horizon.Apply(shadow.Get());
-    const skyline::Center center = skyline::CenterOf(terrain, this->Talk);
+    const skyline::Center center = skyline::CenterOf(terrain, this->Common);
     const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
     skyline::ApplySun(this->Sun, sun, shadow->GetSun());
-    skyline::RunPass(shadow, "sun", this->Talk);
-    skyline::WriteRaster(shadow, { "SunVisibility" }, this->Output, this->Talk);
+    skyline::RunPass(shadow, "sun", this->Common);
+    skyline::WriteRaster(shadow, { "SunVisibility" }, this->Output, this->Common);
   }
 
   void Check(const skyline::IdleOptions& options) const
@@ -99,8 +99,8 @@ struct SunCommand
 
   void Run() const
   {
-    skyline::PrepareVtk(this->Talk);
-    skyline::WarnOfZone(this->Sun, this->Talk);
+    skyline::PrepareVtk(this->Common);
+    skyline::WarnOfZone(this->Sun, this->Common);
     if (this->Output.File.empty())
     {
       this->Print();
@@ -135,7 +135,7 @@ void AddSun(CLI::App& program)
   HorizonNeeds needs;
   needs.Azimuths = false;
   command->Horizon.AddTo(*app, needs);
-  AddTalk(*app, command->Talk);
+  AddCommonOptions(*app, command->Common);
   app->callback(
     [command, app]
     {

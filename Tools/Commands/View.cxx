@@ -40,7 +40,7 @@ struct ViewCommand
   skyline::ViewerOptions Options;
   skyline::LookOptions Look;
   skyline::PerspectiveOptions Perspective;
-  skyline::Talk Talk;
+  skyline::CommonOptions Common;
 
   void Check(const skyline::IdleOptions& options) const
   {
@@ -50,8 +50,8 @@ struct ViewCommand
 
   void Run()
   {
-    skyline::PrepareVtk(this->Talk);
-    skyline::WarnOfZone(this->Options.Lights.Sun, this->Talk);
+    skyline::PrepareVtk(this->Common);
+    skyline::WarnOfZone(this->Options.Lights.Sun, this->Common);
     if (this->Options.Terrain.File.empty())
     {
       this->Options.Terrain.File = BundledTerrain();
@@ -63,8 +63,8 @@ struct ViewCommand
     int height = 0;
     this->Perspective.Read(width, height, this->Options.FromAzimuth, this->Options.FromElevation);
     skyline::GlfwWindow window(width, height); // before any work, since there may be no display
-    skyline::Viewer viewer(window.GetRenderWindow(), this->Options, this->Talk);
-    window.Run(viewer, this->Talk);
+    skyline::Viewer viewer(window.GetRenderWindow(), this->Options, this->Common);
+    window.Run(viewer, this->Common);
   }
 };
 
@@ -92,7 +92,7 @@ void AddView(CLI::App& program)
   command->Look.AddTo(*app);
   command->Perspective.AddTo(*app);
   command->Options.Horizon.AddTo(*app);
-  AddTalk(*app, command->Talk);
+  AddCommonOptions(*app, command->Common);
   app->callback(
     [command, app]
     {

@@ -183,10 +183,10 @@ namespace skyline
 {
 
 vtkSmartPointer<vtkImageData> ReadTerrain(
-  const TerrainOptions& options, const Talk& talk, const std::string& output)
+  const TerrainOptions& options, const CommonOptions& common, const std::string& output)
 {
   const auto reader = MakeReader(options);
-  RunPass(reader, "read", talk);
+  RunPass(reader, "read", common);
   if (!output.empty())
   {
     RefuseOverlap(output, LoadSourceFiles(reader->GetOutput()));
@@ -194,7 +194,7 @@ vtkSmartPointer<vtkImageData> ReadTerrain(
   return reader->GetOutput();
 }
 
-Center CenterOf(vtkImageData* terrain, const Talk& talk)
+Center CenterOf(vtkImageData* terrain, const CommonOptions& common)
 {
   Center center;
   center.Place = LoadGeoreference(terrain);
@@ -204,7 +204,7 @@ Center CenterOf(vtkImageData* terrain, const Talk& talk)
     PrintWarning(Doubt{ "no post within " + std::to_string(MostReach) +
                      " posts of the DEM's centre has a height",
                    "a height of 0 m there", "" },
-      talk);
+      common);
   }
   if (center.Place.OnBody())
   {
@@ -215,14 +215,14 @@ Center CenterOf(vtkImageData* terrain, const Talk& talk)
   return center;
 }
 
-Center ReadCenter(const TerrainOptions& options, const Talk& talk)
+Center ReadCenter(const TerrainOptions& options, const CommonOptions& common)
 {
   const auto reader = MakeReader(options);
   int whole[6] = { 0, 0, 0, 0, 0, 0 };
   // The reader does not fail if all heights of the part are missing, so the part can grow.
   for (int reach = 0; reach <= MostReach; reach = reach == 0 ? FirstReach : 8 * reach)
   {
-    RunPass(reader, "read", talk,
+    RunPass(reader, "read", common,
       [&]
       {
         reader->UpdateInformation();
@@ -239,7 +239,7 @@ Center ReadCenter(const TerrainOptions& options, const Talk& talk)
       break; // posts outside this part are not nearer
     }
   }
-  return CenterOf(reader->GetOutput(), talk);
+  return CenterOf(reader->GetOutput(), common);
 }
 
 void CheckOutput(const std::string& output, const std::vector<std::string>& inputs)
@@ -260,7 +260,7 @@ void CheckRasterOutput(const std::string& output, const std::vector<std::string>
 }
 
 void WriteRaster(vtkAlgorithm* source, const std::vector<std::string>& arrays,
-  const OutputOptions& options, const Talk& talk)
+  const OutputOptions& options, const CommonOptions& common)
 {
   vtkNew<vtkHeightFieldWriter> writer;
   writer->SetFileName(options.File.c_str());
@@ -272,7 +272,7 @@ void WriteRaster(vtkAlgorithm* source, const std::vector<std::string>& arrays,
     writer->AddArray(name.c_str());
     SetBandTexts(writer, ImageOf(source), name, band);
   }
-  RunPass(writer, "write", talk);
+  RunPass(writer, "write", common);
 }
 
 PictureFormat FormatOf(const std::string& file)
@@ -294,8 +294,8 @@ PictureFormat FormatOf(const std::string& file)
     "--output: cannot write '" + file + "': a picture's name ends in .png, .exr or .tif");
 }
 
-void WritePicture(
-  vtkAlgorithm* source, PictureFormat format, const OutputOptions& options, const Talk& talk)
+void WritePicture(vtkAlgorithm* source, PictureFormat format, const OutputOptions& options,
+  const CommonOptions& common)
 {
   if (format == PictureFormat::Tiff)
   {
@@ -309,7 +309,7 @@ void WritePicture(
     {
       writer->SetBandDescription(++band, color);
     }
-    RunPass(writer, "write", talk);
+    RunPass(writer, "write", common);
     return;
   }
   vtkNew<vtkHeightFieldPictureWriter> writer;
@@ -323,7 +323,7 @@ void WritePicture(
     writer->SetInputConnection(source->GetOutputPort());
     writer->SetArrayName("Picture");
   }
-  RunPass(writer, "write", talk);
+  RunPass(writer, "write", common);
 }
 
 } // namespace skyline

@@ -23,7 +23,7 @@ namespace skyline
 /// Reads the heights, with their georeference in the field data. Throws Failure with the message of
 /// the reader; also if `output` is given and is a file that the heights were read from.
 vtkSmartPointer<vtkImageData> ReadTerrain(
-  const TerrainOptions& options, const Talk& talk, const std::string& output = "");
+  const TerrainOptions& options, const CommonOptions& common, const std::string& output = "");
 
 /// The middle of a height field.
 struct Center
@@ -34,11 +34,11 @@ struct Center
 };
 /// Finds the middle. A post with a height is searched up to 512 posts away; a warning if there is
 /// none.
-Center CenterOf(vtkImageData* terrain, const Talk& talk);
+Center CenterOf(vtkImageData* terrain, const CommonOptions& common);
 
 /// The same, but reads only as much of the file as is needed: the middle, and more if that is
 /// missing.
-Center ReadCenter(const TerrainOptions& options, const Talk& talk);
+Center ReadCenter(const TerrainOptions& options, const CommonOptions& common);
 
 /// Throws Failure if `output` cannot become a file or is part of an input. To be called before any
 /// work.
@@ -50,7 +50,7 @@ void CheckRasterOutput(const std::string& output, const std::vector<std::string>
 /// Writes point arrays of the output of an updated algorithm as bands of a GeoTIFF. Throws Failure
 /// if that fails; then no file is left.
 void WriteRaster(vtkAlgorithm* source, const std::vector<std::string>& arrays,
-  const OutputOptions& options, const Talk& talk);
+  const OutputOptions& options, const CommonOptions& common);
 
 /// Formats of picture files.
 enum class PictureFormat
@@ -64,8 +64,8 @@ enum class PictureFormat
 PictureFormat FormatOf(const std::string& file);
 
 /// Writes the picture of vtkHeightFieldShading: Radiance as EXR, Picture as PNG or GeoTIFF.
-void WritePicture(
-  vtkAlgorithm* source, PictureFormat format, const OutputOptions& options, const Talk& talk);
+void WritePicture(vtkAlgorithm* source, PictureFormat format, const OutputOptions& options,
+  const CommonOptions& common);
 
 } // namespace skyline
 

@@ -25,7 +25,7 @@ void IdleOptions::Refuse(
 }
 
 void IdleOptions::Warn(bool idle, std::initializer_list<const char*> options,
-  const std::string& reason, const Talk& talk) const
+  const std::string& reason, const CommonOptions& common) const
 {
   for (const char* option : options)
   {
@@ -33,7 +33,7 @@ void IdleOptions::Warn(bool idle, std::initializer_list<const char*> options,
     {
       PrintWarning(
         Doubt{ std::string(option) + " does nothing here: " + reason, "the result without it", "" },
-        talk);
+        common);
     }
   }
 }

@@ -3,7 +3,7 @@
 #ifndef skyline_IdleOptions_h
 #define skyline_IdleOptions_h
 
-#include "Passes.h"
+#include "RunPass.h"
 
 #include <CLI/CLI.hpp>
 
@@ -32,7 +32,7 @@ public:
 
   /// Prints a warning instead, for an option without effect whose absence gives the same result.
   void Warn(bool idle, std::initializer_list<const char*> options, const std::string& reason,
-    const Talk& talk) const;
+    const CommonOptions& common) const;
 
 private:
   const CLI::App& Command;

@@ -146,13 +146,13 @@ void RefuseIdleSun(const SunDescription& sun, const IdleOptions& options)
     "a sun of --sun-radius 0 is a point without a limb; leave one of the two out");
 }
 
-void WarnOfZone(const SunDescription& sun, const Talk& talk)
+void WarnOfZone(const SunDescription& sun, const CommonOptions& common)
 {
   if (!sun.Time.empty() && !NamesZone(sun.Time))
   {
     PrintWarning(Doubt{ "the time " + sun.Time + " has no time zone", "UTC",
                    "--time " + ToText(ParseUtcTime(sun.Time)) },
-      talk);
+      common);
   }
 }
 
@@ -229,7 +229,7 @@ void RefuseIdleLights(const LightDescription& lights, const IdleOptions& options
       " degrees shines as a key light, without a limb; leave it out");
 }
 
-void WarnOfTurnedSky(const LightDescription& lights, SkyKind kind, const Talk& talk)
+void WarnOfTurnedSky(const LightDescription& lights, SkyKind kind, const CommonOptions& common)
 {
   const bool shines = lights.Sun.Irradiance != std::array<double, 3>{};
   if (shines && IsTurned(lights) && (kind == SkyKind::Formula || kind == SkyKind::Perez))
@@ -237,13 +237,13 @@ void WarnOfTurnedSky(const LightDescription& lights, SkyKind kind, const Talk& t
     PrintWarning(Doubt{ "--rotation turns the sky " + lights.Sky->Text +
                      ", which is brighter around the sun, away from the sun that shines",
                    "a sky that does not belong to the sun", "" },
-      talk);
+      common);
   }
   if (IsTurned(lights) && kind <= SkyKind::Zonal)
   {
     PrintWarning(Doubt{ "--rotation turns nothing, for this sky is the same all around",
                    "the sky without it", "" },
-      talk);
+      common);
   }
 }
 

@@ -5,7 +5,7 @@
 #define skyline_LightOptions_h
 
 #include "LightDescription.h"
-#include "Passes.h"
+#include "RunPass.h"
 
 #include <CLI/CLI.hpp>
 
@@ -22,7 +22,7 @@ void AddSunOptions(CLI::App& command, SunDescription& sun, bool limbDarkening = 
 void RefuseIdleSun(const SunDescription& sun, const IdleOptions& options);
 
 /// Warns if the time has no time zone.
-void WarnOfZone(const SunDescription& sun, const Talk& talk);
+void WarnOfZone(const SunDescription& sun, const CommonOptions& common);
 ///@}
 
 ///@{
@@ -39,7 +39,7 @@ void RefuseIdleLights(const LightDescription& lights, const IdleOptions& options
   bool sunShines, bool keyLight);
 
 /// Warns if --rotation turns a sky of this type away from its sun.
-void WarnOfTurnedSky(const LightDescription& lights, SkyKind kind, const Talk& talk);
+void WarnOfTurnedSky(const LightDescription& lights, SkyKind kind, const CommonOptions& common);
 ///@}
 
 } // namespace skyline

@@ -45,14 +45,14 @@ LightPointer MakeSun(
   return light;
 }
 
-void WarnOfNight(const SkyDescription& sky, const SunLight& sun, const Talk& talk)
+void WarnOfNight(const SkyDescription& sky, const SunLight& sun, const CommonOptions& common)
 {
   if (sky.Kind == SkyKind::Formula && sun.ApparentElevation <= 0.0)
   {
     PrintWarning(Doubt{ "the sun is below the horizon, and " + sky.Text +
                      " is a sky by day whose brightness is relative",
                    "the sky that its formula gives for this sun", "--environment none" },
-      talk);
+      common);
   }
 }
 
@@ -65,25 +65,27 @@ std::array<double, 3> SunIrradianceOf(const LightDescription& lights)
   return lights.Sun.Irradiance.value_or(irradiance);
 }
 
-vtkSmartPointer<vtkSkylineEnvironmentLight> MakeSky(const SkyDescription& sky, const Talk& talk)
+vtkSmartPointer<vtkSkylineEnvironmentLight> MakeSky(
+  const SkyDescription& sky, const CommonOptions& common)
 {
   auto light = vtkSmartPointer<vtkSkylineEnvironmentLight>::New();
   if (!light->SetSky(sky))
   {
     vtkNew<vtkSkylineLightMapReader> reader;
     reader->SetFileName(sky.Text.c_str());
-    RunPass(reader, "light map", talk);
+    RunPass(reader, "light map", common);
     light->SetImage(reader->GetOutput());
   }
   return light;
 }
 
 vtkSmartPointer<vtkSkylineLampLight> MakeLamp(
-  const LampDescription& lamp, vtkImageData* terrain, const Talk& talk)
+  const LampDescription& lamp, vtkImageData* terrain, const CommonOptions& common)
 {
   if (*std::max_element(lamp.Radiance.begin(), lamp.Radiance.end()) == 0.0)
   {
-    PrintWarning(Doubt{ "the lamp " + lamp.Text + " is black", "a lamp without light", "" }, talk);
+    PrintWarning(
+      Doubt{ "the lamp " + lamp.Text + " is black", "a lamp without light", "" }, common);
   }
   auto light = vtkSmartPointer<vtkSkylineLampLight>::New();
   light->SetMapPosition(terrain, lamp.X, lamp.Y, lamp.Z);
@@ -93,9 +95,9 @@ vtkSmartPointer<vtkSkylineLampLight> MakeLamp(
 }
 
 std::vector<LightPointer> MakeLights(
-  const LightDescription& lights, vtkImageData* terrain, const Talk& talk)
+  const LightDescription& lights, vtkImageData* terrain, const CommonOptions& common)
 {
-  const Center center = CenterOf(terrain, talk);
+  const Center center = CenterOf(terrain, common);
   const SunLight sun = FindSun(lights.Sun, center.Place, center.Height);
   const bool sunAsked = lights.Sun.Asked();
   std::vector<LightPointer> made;
@@ -104,9 +106,9 @@ std::vector<LightPointer> MakeLights(
     const SkyDescription sky = lights.Sky.value_or(SkyDescription());
     if (sunAsked)
     {
-      WarnOfNight(sky, sun, talk);
+      WarnOfNight(sky, sun, common);
     }
-    const auto light = MakeSky(sky, talk);
+    const auto light = MakeSky(sky, common);
     light->SetRotation(lights.Rotation);
     light->SetSunAzimuth(sun.SkyAzimuth);
     light->SetSunElevation(sun.ApparentElevation);
@@ -118,7 +120,7 @@ std::vector<LightPointer> MakeLights(
   }
   for (const LampDescription& lamp : lights.Lamps)
   {
-    made.emplace_back(MakeLamp(lamp, terrain, talk));
+    made.emplace_back(MakeLamp(lamp, terrain, common));
   }
   return made;
 }

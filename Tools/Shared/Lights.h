@@ -4,7 +4,7 @@
 #define skyline_Lights_h
 
 #include "LightDescription.h"
-#include "Passes.h"
+#include "RunPass.h"
 
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
@@ -24,15 +24,16 @@ namespace skyline
 /// The lights over a terrain; a uniform sky if the user wants no light. Reads the light map, as a
 /// pass. Throws Failure with a reason of one line.
 std::vector<vtkSmartPointer<vtkSkylineLight>> MakeLights(
-  const LightDescription& lights, vtkImageData* terrain, const Talk& talk);
+  const LightDescription& lights, vtkImageData* terrain, const CommonOptions& common);
 
 /// A sky alone, with the default sun and rotation. Reads the light map, as a pass. Throws Failure
 /// with a reason of one line.
-vtkSmartPointer<vtkSkylineEnvironmentLight> MakeSky(const SkyDescription& sky, const Talk& talk);
+vtkSmartPointer<vtkSkylineEnvironmentLight> MakeSky(
+  const SkyDescription& sky, const CommonOptions& common);
 
 /// A lamp alone. Warns if the lamp is black.
 vtkSmartPointer<vtkSkylineLampLight> MakeLamp(
-  const LampDescription& lamp, vtkImageData* terrain, const Talk& talk);
+  const LampDescription& lamp, vtkImageData* terrain, const CommonOptions& common);
 
 } // namespace skyline
 

@@ -139,7 +139,7 @@ void HorizonOptions::RefuseIdle(const IdleOptions& options) const
     this->Flat, { "--refraction" }, "there is none with --flat; leave one of the two out");
 }
 
-void HorizonOptions::WarnIdle(vtkImageData* terrain, const Talk& talk) const
+void HorizonOptions::WarnIdle(vtkImageData* terrain, const CommonOptions& common) const
 {
   const Georeference place = LoadGeoreference(terrain);
   if (this->Refraction && !(place.OnBody() && place.Earth))
@@ -147,17 +147,17 @@ void HorizonOptions::WarnIdle(vtkImageData* terrain, const Talk& talk) const
     const std::string where = place.OnBody() ? "the DEM lies on another body"
                                              : "the DEM has no CRS that places it on a body";
     PrintWarning(
-      Doubt{ "--refraction acts on the Earth alone, and " + where, "no refraction", "" }, talk);
+      Doubt{ "--refraction acts on the Earth alone, and " + where, "no refraction", "" }, common);
   }
 }
 
-void AddTalk(CLI::App& command, Talk& talk)
+void AddCommonOptions(CLI::App& command, CommonOptions& common)
 {
-  AddWhole(command, "--threads", talk.Threads, 0, MostThreads,
+  AddWhole(command, "--threads", common.Threads, 0, MostThreads,
     "Threads; 0: one a processor. Results do not differ")
     ->type_name("N");
-  command.add_flag("-q,--quiet", talk.Quiet, "No progress bar and no warnings");
-  command.add_flag("-v,--verbose", talk.Verbose, "Print the passes that ran and their times");
+  command.add_flag("-q,--quiet", common.Quiet, "No progress bar and no warnings");
+  command.add_flag("-v,--verbose", common.Verbose, "Print the passes that ran and their times");
 }
 
 } // namespace skyline

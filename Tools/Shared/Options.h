@@ -3,7 +3,7 @@
 #ifndef skyline_Options_h
 #define skyline_Options_h
 
-#include "Passes.h"
+#include "RunPass.h"
 #include "Shared/Constants.h"
 
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
@@ -84,7 +84,7 @@ struct HorizonOptions
   void RefuseIdle(const IdleOptions& options) const;
 
   /// Warns of options that have no effect on this terrain.
-  void WarnIdle(vtkImageData* terrain, const Talk& talk) const;
+  void WarnIdle(vtkImageData* terrain, const CommonOptions& common) const;
 
   /// Sets the properties that all filters on horizons share.
   template <typename Filter>
@@ -105,7 +105,7 @@ private:
 };
 
 /// --quiet, --verbose, --threads.
-void AddTalk(CLI::App& command, Talk& talk);
+void AddCommonOptions(CLI::App& command, CommonOptions& common);
 
 } // namespace skyline
 

@@ -128,7 +128,7 @@ void PerspectiveOptions::Read(int& width, int& height, double& azimuth, double& 
 }
 
 vtkSmartPointer<vtkImageData> DrawPerspective(vtkImageData* terrain, const PerspectiveLight& light,
-  const PerspectiveOptions& options, const Talk& talk)
+  const PerspectiveOptions& options, const CommonOptions& common)
 {
   std::string reason;
   const vtkSmartPointer<vtkRenderWindow> window = MakeOffscreenWindow(reason);
@@ -142,14 +142,14 @@ vtkSmartPointer<vtkImageData> DrawPerspective(vtkImageData* terrain, const Persp
   options.Read(width, height, standpoint.Azimuth, standpoint.Elevation);
 
   const auto surface = MakeMesh(terrain, MostMeshPosts);
-  RunPass(surface, "mesh", talk);
+  RunPass(surface, "mesh", common);
   vtkPolyData* mesh = surface->GetOutput();
   if (mesh->GetNumberOfCells() == 0)
   {
     throw Failure("no cell of the terrain has all its posts: there is nothing to see");
   }
   const auto skirt = MakeSkirt(terrain, MostMeshPosts, mesh);
-  RunPass(skirt, "skirt", talk);
+  RunPass(skirt, "skirt", common);
 
   const auto mapper = MakeMapper(surface, terrain, light.Exposure);
   const auto wall = MakeMapper(skirt, terrain, light.Exposure);
@@ -168,7 +168,7 @@ vtkSmartPointer<vtkImageData> DrawPerspective(vtkImageData* terrain, const Persp
   window->SetSize(Samples * width, Samples * height);
   window->AddRenderer(renderer);
   vtkNew<vtkUnsignedCharArray> samples;
-  RunPass(mapper, "draw", talk,
+  RunPass(mapper, "draw", common,
     [&]
     {
       window->Render();

@@ -3,7 +3,7 @@
 #ifndef skyline_Perspective_h
 #define skyline_Perspective_h
 
-#include "Passes.h"
+#include "RunPass.h"
 
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
@@ -41,7 +41,7 @@ struct PerspectiveLight
 /// Draws an image with the point arrays Elevation and Radiance, as vtkHeightFieldShading makes it.
 /// The result has the point array Picture (RGBA). Throws Failure if OpenGL is not available.
 vtkSmartPointer<vtkImageData> DrawPerspective(vtkImageData* terrain, const PerspectiveLight& light,
-  const PerspectiveOptions& options, const Talk& talk);
+  const PerspectiveOptions& options, const CommonOptions& common);
 
 } // namespace skyline
 

@@ -303,14 +303,14 @@ void GlfwWindow::Disconnect()
   glfwSetWindowUserPointer(this->Handle, nullptr);
 }
 
-void GlfwWindow::Run(Viewer& viewer, const Talk& talk)
+void GlfwWindow::Run(Viewer& viewer, const CommonOptions& common)
 {
   this->Connect(viewer);
   unsigned long pictures = 0;
   while (!glfwWindowShouldClose(this->Handle) && !viewer.WantsToLeave())
   {
     StopIfInterrupted();
-    if (viewer.Draw(glfwGetTime()) && talk.Verbose)
+    if (viewer.Draw(glfwGetTime()) && common.Verbose)
     {
       PrintTimes(viewer, ++pictures);
     }

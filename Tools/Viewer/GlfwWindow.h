@@ -3,7 +3,7 @@
 #ifndef skyline_GlfwWindow_h
 #define skyline_GlfwWindow_h
 
-#include "Passes.h"
+#include "RunPass.h"
 
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
@@ -38,7 +38,7 @@ public:
 
   /// Connects, and draws until the user quits. With --verbose, prints one line per picture with the
   /// times of its passes. Throws Failure when interrupted.
-  void Run(Viewer& viewer, const Talk& talk);
+  void Run(Viewer& viewer, const CommonOptions& common);
 
 private:
   void MakeRenderWindow();

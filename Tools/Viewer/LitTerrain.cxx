@@ -3,8 +3,8 @@
 
 #include "Exposure.h"
 #include "HeightRay.h"
-#include "Passes.h"
 #include "PicturePasses.h"
+#include "RunPass.h"
 #include "Shared/Constants.h"
 #include "Twilight.h"
 
@@ -135,7 +135,7 @@ bool LitTerrain::Run(vtkAlgorithm* filter, const std::string& title, bool stoppa
   filter->SetAbortExecute(0);
   const unsigned long tag = stoppable ? filter->AddObserver(vtkCommand::ProgressEvent, asking) : 0;
   const auto start = std::chrono::steady_clock::now();
-  Talk silent;
+  CommonOptions silent;
   silent.Quiet = true;
   try
   {

@@ -3,7 +3,7 @@
 
 #include "Color/ToneMap.h"
 #include "Failure.h"
-#include "Passes.h"
+#include "RunPass.h"
 #include "SkyDome.h"
 #include "TerrainActors.h"
 
@@ -101,7 +101,7 @@ void Write(vtkDataArray* pixels, const int* size, const std::string& file)
   vtkNew<vtkHeightFieldPictureWriter> writer;
   writer->SetFileName(file.c_str());
   writer->SetInputData(image);
-  skyline::Talk silent;
+  skyline::CommonOptions silent;
   silent.Quiet = true;
   skyline::RunPass(writer, "screenshot", silent);
 }

@@ -43,11 +43,11 @@ bool IsLightMap(const std::string& file)
 namespace skyline
 {
 
-Viewer::Viewer(vtkRenderWindow* window, const ViewerOptions& options, const Talk& talk)
+Viewer::Viewer(vtkRenderWindow* window, const ViewerOptions& options, const CommonOptions& common)
   : Options(options)
-  , Told(talk)
+  , Told(common)
   , Window(window)
-  , Lights(options.Lights, talk)
+  , Lights(options.Lights, common)
 {
   if (options.Exposure)
   {
@@ -94,7 +94,7 @@ void Viewer::Open(const TerrainOptions& terrain)
       this->Poll();
     }
     // For a picture that is written to a file, the user waits.
-    return this->Shot == ViewerWish::Nothing && this->Events != this->SeenEvents;
+    return this->Shot == ViewerRequest::Nothing && this->Events != this->SeenEvents;
   };
   this->Small.reset();
   if (static_cast<double>(image->GetNumberOfPoints()) > QuickPosts)
@@ -177,8 +177,8 @@ void Viewer::Wheel(double steps)
 
 void Viewer::KeyPress(int key, const Modifiers& with)
 {
-  const ViewerWish wish = this->State.Press(key, with);
-  if (wish == ViewerWish::Nothing)
+  const ViewerRequest request = this->State.Press(key, with);
+  if (request == ViewerRequest::Nothing)
   {
     return;
   }
@@ -188,20 +188,20 @@ void Viewer::KeyPress(int key, const Modifiers& with)
   {
     this->State.Sun = !this->State.GetSky().Measured();
   }
-  switch (wish)
+  switch (request)
   {
-    case ViewerWish::Leave:
+    case ViewerRequest::Leave:
       this->Leaving = true;
       break;
-    case ViewerWish::Camera:
+    case ViewerRequest::Camera:
       this->FirstView = true;
       break;
-    case ViewerWish::Lamp:
+    case ViewerRequest::Lamp:
       this->AddLampUnderMouse();
       break;
-    case ViewerWish::Png:
-    case ViewerWish::Exr:
-      this->Shot = wish;
+    case ViewerRequest::Png:
+    case ViewerRequest::Exr:
+      this->Shot = request;
       break;
     default:
       break;

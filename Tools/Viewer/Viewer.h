@@ -49,7 +49,7 @@ class Viewer
 public:
   /// Reads the terrain and the lights. Throws Failure. The window must have its size and a current
   /// OpenGL context when the viewer draws.
-  Viewer(vtkRenderWindow* window, const ViewerOptions& options, const Talk& talk);
+  Viewer(vtkRenderWindow* window, const ViewerOptions& options, const CommonOptions& common);
   ~Viewer();
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
@@ -99,7 +99,7 @@ private:
   HudContent MakeHud();
 
   ViewerOptions Options;
-  Talk Told;
+  CommonOptions Told;
   vtkSmartPointer<vtkRenderWindow> Window;
   ViewerState State;
 
@@ -119,9 +119,9 @@ private:
   HudContent Shown;
   bool Away = false;
   bool Leaving = false;
-  ViewerWish Shot = ViewerWish::Nothing; ///< to be written with the next picture
-  bool Drawn = false;                    ///< this terrain was drawn once
-  bool Stale = true;                     ///< the picture does not show the present state
+  ViewerRequest Shot = ViewerRequest::Nothing; ///< to be written with the next picture
+  bool Drawn = false;                          ///< this terrain was drawn once
+  bool Stale = true;                           ///< the picture does not show the present state
   bool FirstView = true;
   unsigned long Events = 0; ///< number of events so far
   unsigned long SeenEvents = 0;

@@ -160,7 +160,7 @@ void Viewer::Paint(bool coarse)
       static_cast<double>(this->Layout.Width) / this->Layout.Height);
     this->FirstView = false;
   }
-  const bool shot = this->Shot != ViewerWish::Nothing;
+  const bool shot = this->Shot != ViewerRequest::Nothing;
   const bool fine = !coarse || shot;
   const auto start = Clock::now();
   this->Scene->SetCoarse(!fine);
@@ -211,7 +211,7 @@ void Viewer::Paint(bool coarse)
 
 void Viewer::Shoot()
 {
-  const bool linear = this->Shot == ViewerWish::Exr;
+  const bool linear = this->Shot == ViewerRequest::Exr;
   vtkRenderer* display = this->Display.GetRenderer();
   display->DrawOff();
   try
@@ -242,7 +242,7 @@ void Viewer::Shoot()
     this->Say(FirstLine(reason.what()));
   }
   display->DrawOn();
-  this->Shot = ViewerWish::Nothing;
+  this->Shot = ViewerRequest::Nothing;
 }
 
 HudContent Viewer::MakeHud()

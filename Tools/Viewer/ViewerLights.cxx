@@ -35,9 +35,9 @@ int ThisYear()
 namespace skyline
 {
 
-ViewerLights::ViewerLights(const LightDescription& asked, const Talk& talk)
+ViewerLights::ViewerLights(const LightDescription& asked, const CommonOptions& common)
   : Asked(asked)
-  , Told(talk)
+  , Told(common)
 {
 }
 

@@ -26,7 +26,7 @@ namespace skyline
 class ViewerLights
 {
 public:
-  ViewerLights(const LightDescription& asked, const Talk& talk);
+  ViewerLights(const LightDescription& asked, const CommonOptions& common);
 
   /// Sets the place of the lights. To be called first. Throws the exceptions of CenterOf.
   void SetTerrain(vtkImageData* terrain);
@@ -50,7 +50,7 @@ public:
 
 private:
   LightDescription Asked;
-  Talk Told;
+  CommonOptions Told;
   vtkSmartPointer<vtkImageData> Terrain;
   Center Middle;
   std::map<std::string, vtkSmartPointer<vtkSkylineEnvironmentLight>> Environments;

@@ -55,11 +55,11 @@ void ViewerState::StepUp(int steps, bool shift)
   }
 }
 
-ViewerWish ViewerState::ChangeLamp(int key)
+ViewerRequest ViewerState::ChangeLamp(int key)
 {
   if (!this->HasChosen())
   {
-    return ViewerWish::Changed;
+    return ViewerRequest::Changed;
   }
   ViewerLamp& lamp = this->Lamps[this->Chosen];
   switch (key)
@@ -86,21 +86,21 @@ ViewerWish ViewerState::ChangeLamp(int key)
         channel *= key == ']' ? LampFactor : 1.0 / LampFactor;
       }
   }
-  return ViewerWish::Changed;
+  return ViewerRequest::Changed;
 }
 
-ViewerWish ViewerState::Press(int key, const Modifiers& with)
+ViewerRequest ViewerState::Press(int key, const Modifiers& with)
 {
   switch (key)
   {
     case KeyLeft:
     case KeyRight:
       this->StepAcross(key == KeyRight ? 1.0 : -1.0, with.Shift);
-      return ViewerWish::Changed;
+      return ViewerRequest::Changed;
     case KeyUp:
     case KeyDown:
       this->StepUp(key == KeyUp ? 1 : -1, with.Shift);
-      return ViewerWish::Changed;
+      return ViewerRequest::Changed;
     case KeyDelete:
     case KeyPageUp:
     case KeyPageDown:
@@ -111,17 +111,17 @@ ViewerWish ViewerState::Press(int key, const Modifiers& with)
       return this->ChangeLamp(key);
     case KeySpace:
       this->Animated = !this->Animated;
-      return ViewerWish::Changed;
+      return ViewerRequest::Changed;
     case 'S':
       this->Sun = !this->Sun;
-      return ViewerWish::Changed;
+      return ViewerRequest::Changed;
     case 'K':
       this->Sky = (this->Sky + 1) % this->Skies.size();
-      return ViewerWish::Changed;
+      return ViewerRequest::Changed;
     case 'R':
       this->Rotation =
         NormalizedAzimuth(this->Rotation + (with.Shift ? -RotationStep : RotationStep));
-      return ViewerWish::Changed;
+      return ViewerRequest::Changed;
     case 'X':
       this->Exaggeration =
         std::clamp(this->Exaggeration * (with.Shift ? 1.0 / HeightFactor : HeightFactor),
@@ -130,44 +130,44 @@ ViewerWish ViewerState::Press(int key, const Modifiers& with)
       {
         this->Exaggeration = 1.0; // removes the rounding when it returns
       }
-      return ViewerWish::Changed;
+      return ViewerRequest::Changed;
     case '-':
     case '=':
     case '+':
       this->Exposure = std::clamp(
         this->Exposure + (key == '-' ? -StopsAStep : StopsAStep), -GreatestStops, GreatestStops);
-      return ViewerWish::Changed;
+      return ViewerRequest::Changed;
     case 'A':
       this->FixedStops = this->AutoExposure ? this->MeteredStops : this->FixedStops;
       this->AutoExposure = !this->AutoExposure;
-      return ViewerWish::Changed;
+      return ViewerRequest::Changed;
     case 'C':
       this->Colors = (this->Colors + 1) % this->ColorCount;
-      return ViewerWish::Changed;
+      return ViewerRequest::Changed;
     case 'H':
       this->Help = !this->Help;
-      return ViewerWish::Changed;
+      return ViewerRequest::Changed;
     case 'T':
       this->Times = !this->Times;
-      return ViewerWish::Changed;
+      return ViewerRequest::Changed;
     case 'L':
-      return ViewerWish::Lamp;
+      return ViewerRequest::Lamp;
     case 'P':
-      return with.Shift ? ViewerWish::Exr : ViewerWish::Png;
+      return with.Shift ? ViewerRequest::Exr : ViewerRequest::Png;
     case 'V':
     case KeyHome:
-      return ViewerWish::Camera;
+      return ViewerRequest::Camera;
     case KeyEscape:
       if (this->Help)
       {
         this->Help = false;
-        return ViewerWish::Changed;
+        return ViewerRequest::Changed;
       }
-      return ViewerWish::Leave;
+      return ViewerRequest::Leave;
     case 'Q':
-      return ViewerWish::Leave;
+      return ViewerRequest::Leave;
     default:
-      return ViewerWish::Nothing;
+      return ViewerRequest::Nothing;
   }
 }
 

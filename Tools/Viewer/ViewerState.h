@@ -31,7 +31,7 @@ struct ViewerLamp
 };
 
 /// What a key requests that is not a number.
-enum class ViewerWish
+enum class ViewerRequest
 {
   Nothing, ///< the key has no meaning
   Changed, ///< the state below has changed, or was at its limit
@@ -81,7 +81,7 @@ struct ViewerState
   bool Help = false;
   bool Times = true;
 
-  ViewerWish Press(int key, const Modifiers& with);
+  ViewerRequest Press(int key, const Modifiers& with);
 
   ViewerSlider GetSlider(std::size_t which) const;
   void SetSlider(std::size_t which, double value);
@@ -109,7 +109,7 @@ struct ViewerState
 private:
   void StepAcross(double steps, bool fine);
   void StepUp(int steps, bool fine);
-  ViewerWish ChangeLamp(int key);
+  ViewerRequest ChangeLamp(int key);
 };
 
 } // namespace skyline

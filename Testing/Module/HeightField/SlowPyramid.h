@@ -3,7 +3,7 @@
 #ifndef skyline_SlowPyramid_h
 #define skyline_SlowPyramid_h
 
-#include "Horizon/PyramidSettings.h"
+#include "Horizon/HorizonMethod.h"
 #include "Reference/Oracle.h"
 
 #include <algorithm>

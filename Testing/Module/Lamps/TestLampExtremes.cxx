@@ -118,8 +118,8 @@ TEST(LampExtremes, BehindALampTerrainDoesNotHideIt)
   const std::vector<float> light = scene.Light(ball, true);
   for (std::ptrdiff_t i = 0; i < 33; ++i)
   {
-    const std::size_t post = scene.Truth.Index(i, 16);
-    const oracle::Vector3 to = ball.Centre - oracle::PlaceOf(scene.Truth, i, 16);
+    const std::size_t post = scene.Heights.Index(i, 16);
+    const oracle::Vector3 to = ball.Centre - oracle::PlaceOf(scene.Heights, i, 16);
     const double distance = std::sqrt(oracle::Dot(to, to));
     const double whole = DiscIrradiance(DiscOfLamp(10.0, distance), to.Z / distance);
     if (i < 19)
@@ -140,7 +140,7 @@ TEST(LampExtremes, ReceiversInsideTheLamp)
   // pi. Elsewhere the closed form holds, because the plain is the plane of the receivers.
   const oracle::Ball ball{ { 80.0, 80.0, 0.0 }, 55.0 };
   const std::vector<float> light = plain.Light(ball);
-  EXPECT_NEAR(light[plain.Truth.Index(8, 8)], Pi, 1e-6);
+  EXPECT_NEAR(light[plain.Heights.Index(8, 8)], Pi, 1e-6);
   for (std::ptrdiff_t k = 0; k < 17 * 17; ++k)
   {
     EXPECT_NEAR(light[static_cast<std::size_t>(k)], plain.Unshadowed(ball, k % 17, k / 17), 1e-5);

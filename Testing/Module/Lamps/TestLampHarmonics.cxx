@@ -32,7 +32,7 @@ std::vector<float> ByHarmonics(
     Lamp lamp;
     lamp.X = ball.Centre.X;
     lamp.Y = ball.Centre.Y;
-    lamp.Z = ball.Centre.Z - BaseOf(scene.Truth);
+    lamp.Z = ball.Centre.Z - BaseOf(scene.Heights);
     lamp.Radius = ball.Radius;
     AddLampHarmonics(scene.Terrain, scene.Posts, scene.East.data(), scene.North.data(), lamp,
       settings, 0, scene.Posts.Rows, rgb.data());

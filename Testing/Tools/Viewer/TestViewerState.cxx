@@ -88,7 +88,7 @@ TEST(ViewerState, ArrowKeysMoveTheSunByTime)
   ViewerState state;
   state.ByTime = true;
   state.Clock = SunClock(2026, 172, 600.0, 0);
-  EXPECT_EQ(state.Press(KeyRight, Plain), ViewerWish::Changed);
+  EXPECT_EQ(state.Press(KeyRight, Plain), ViewerRequest::Changed);
   EXPECT_EQ(state.Clock.GetMinutes(), 610.0);
   state.Press(KeyLeft, Shift);
   EXPECT_EQ(state.Clock.GetMinutes(), 609.0);
@@ -164,7 +164,8 @@ TEST(ViewerState, HeightsComeBackToOne)
 TEST(ViewerState, LampKeysMeanTheChosenOne)
 {
   ViewerState state;
-  EXPECT_EQ(state.Press(']', Plain), ViewerWish::Changed); // there is no lamp, so nothing happens
+  EXPECT_EQ(
+    state.Press(']', Plain), ViewerRequest::Changed); // there is no lamp, so nothing happens
   state.AddLamp({ 0, 0, 5, 2, { { 1, 1, 1 } } });
   state.AddLamp({ 9, 9, 1, 2, { { 4, 4, 4 } } });
   state.Press('[', Plain);
@@ -177,7 +178,7 @@ TEST(ViewerState, LampKeysMeanTheChosenOne)
   EXPECT_EQ(state.Lamps[0].X, 0.0);
   state.Press(KeyDelete, Plain);
   EXPECT_FALSE(state.HasChosen());
-  EXPECT_EQ(state.Press(KeyDelete, Plain), ViewerWish::Changed);
+  EXPECT_EQ(state.Press(KeyDelete, Plain), ViewerRequest::Changed);
 }
 
 TEST(ViewerState, SkiesGoRound)
@@ -195,10 +196,10 @@ TEST(ViewerState, EscapeClosesTheHelpFirst)
 {
   ViewerState state;
   state.Press('H', Plain);
-  EXPECT_EQ(state.Press(KeyEscape, Plain), ViewerWish::Changed);
+  EXPECT_EQ(state.Press(KeyEscape, Plain), ViewerRequest::Changed);
   EXPECT_FALSE(state.Help);
-  EXPECT_EQ(state.Press(KeyEscape, Plain), ViewerWish::Leave);
-  EXPECT_EQ(state.Press('~', Plain), ViewerWish::Nothing);
+  EXPECT_EQ(state.Press(KeyEscape, Plain), ViewerRequest::Leave);
+  EXPECT_EQ(state.Press('~', Plain), ViewerRequest::Nothing);
 }
 
 TEST(ViewerState, EveryKeyOfTheHelpMeansSomething)
@@ -213,7 +214,7 @@ TEST(ViewerState, EveryKeyOfTheHelpMeansSomething)
       static_cast<int>('T'), static_cast<int>('V'), static_cast<int>('H'), static_cast<int>('Q') })
   {
     ViewerState state;
-    EXPECT_NE(state.Press(key, Plain), ViewerWish::Nothing) << key;
+    EXPECT_NE(state.Press(key, Plain), ViewerRequest::Nothing) << key;
   }
 }
 

@@ -3,7 +3,7 @@
 #ifndef skyline_ViewerTesting_h
 #define skyline_ViewerTesting_h
 
-#include "Passes.h"
+#include "RunPass.h"
 #include "Viewer.h"
 
 #include "vtkNew.h"
@@ -58,11 +58,11 @@ inline ViewerOptions Quick()
   return options;
 }
 
-inline Talk Silent()
+inline CommonOptions Silent()
 {
-  Talk talk;
-  talk.Quiet = true;
-  return talk;
+  CommonOptions common;
+  common.Quiet = true;
+  return common;
 }
 
 /// Draws until the picture is final, while `now` increases. Returns false after too many pictures.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "HeightMeaning.h"
+#include "HeightConversion.h"
 
 #include "IoFailure.h"
 #include "LengthUnit.h"
@@ -149,7 +149,7 @@ void DoubtPicture(
 
 } // namespace
 
-HeightMeaning ReadHeightMeaning(GDALDataset& dataset, GDALRasterBand& band,
+HeightConversion ReadHeightConversion(GDALDataset& dataset, GDALRasterBand& band,
   const CoordinateSystem& crs, const std::string& file, std::vector<Doubt>& doubts)
 {
   const double metres = ReadUnit(band, crs, file, doubts);

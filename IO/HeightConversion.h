@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How the values of a band are converted to metres above a datum, and which doubts remain.
-#ifndef skyline_HeightMeaning_h
-#define skyline_HeightMeaning_h
+#ifndef skyline_HeightConversion_h
+#define skyline_HeightConversion_h
 
 #include "CoordinateSystem.h"
 #include "Shared/Doubt.h"
@@ -15,7 +15,7 @@ namespace skyline
 {
 
 /// metres = value * Scale + Offset
-struct HeightMeaning
+struct HeightConversion
 {
   double Scale = 1.0, Offset = 0.0;
 };
@@ -25,7 +25,7 @@ struct HeightMeaning
 /// vertical axis of the CRS, metres. Adds doubts to `doubts` about contradictory units, heights
 /// without a unit on a map that is not in metres, depths, and bands of a picture. Throws IoFailure,
 /// which names `file`, if the unit is not a length or the scale cannot be used.
-HeightMeaning ReadHeightMeaning(GDALDataset& dataset, GDALRasterBand& band,
+HeightConversion ReadHeightConversion(GDALDataset& dataset, GDALRasterBand& band,
   const CoordinateSystem& crs, const std::string& file, std::vector<Doubt>& doubts);
 
 } // namespace skyline

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reference horizons of randomly chosen posts from the double-precision oracle, and errors against
 // them.
-#ifndef skyline_Truth_h
-#define skyline_Truth_h
+#ifndef skyline_ReferenceHorizons_h
+#define skyline_ReferenceHorizons_h
 
 #include "Measure.h"
 #include "Result.h"
@@ -18,18 +18,18 @@ namespace benchmark
 {
 
 /// Horizons of some posts, each in all azimuths.
-class Truth
+class ReferenceHorizons
 {
 public:
   /// `posts`: the number of posts. They are drawn at random, with `seed`, from those with four
   /// complete cells around them, because it is a matter of convention what a ray meets along the
   /// edge of the data. `azimuths`: degrees.
-  Truth(const Scene& scene, std::ptrdiff_t posts, std::vector<double> azimuths, std::uint64_t seed,
-    const WantsToStop& stop = {});
+  ReferenceHorizons(const Scene& scene, std::ptrdiff_t posts, std::vector<double> azimuths,
+    std::uint64_t seed, const WantsToStop& stop = {});
 
   /// The same for the given posts.
-  Truth(const Scene& scene, std::vector<std::ptrdiff_t> posts, std::vector<double> azimuths,
-    const WantsToStop& stop = {});
+  ReferenceHorizons(const Scene& scene, std::vector<std::ptrdiff_t> posts,
+    std::vector<double> azimuths, const WantsToStop& stop = {});
 
   std::vector<double> Azimuths;      ///< degrees clockwise from grid north
   std::vector<std::ptrdiff_t> Posts; ///< row * columns + column

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Harmonics/KeyLight.h"
+#include "Reference/KeyLight.h"
 
 #include "Harmonics/ElevationIntegral.h"
 #include "Harmonics/LightFit.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Stage.h"
+#include "ReferenceScene.h"
 
 #include "ClearSky.h"
 
@@ -25,7 +25,7 @@ constexpr int LampSide = 32;         // rays of the reference of a lamp, squared
 constexpr std::ptrdiff_t Side = 128; // side of the window for suns
 
 // The horizon between two azimuths of a reference, interpolated linearly in elevation; radians.
-double HorizonAt(const Truth& truth, std::size_t post, double azimuth)
+double HorizonAt(const ReferenceHorizons& truth, std::size_t post, double azimuth)
 {
   const auto count = static_cast<double>(truth.Azimuths.size());
   double place = azimuth / (2.0 * Pi) * count;
@@ -42,7 +42,7 @@ void GradientOf(const oracle::OracleField& field, std::ptrdiff_t post, double& e
   oracle::Gradient(field, post % field.Columns, post / field.Columns, east, north);
 }
 
-void FindMean(LightTruth& truth)
+void FindMean(ReferenceLight& truth)
 {
   truth.Mean = std::accumulate(truth.Light.begin(), truth.Light.end(), 0.0) /
     static_cast<double>(truth.Light.size());
@@ -50,38 +50,38 @@ void FindMean(LightTruth& truth)
 
 } // namespace
 
-Stage::Stage(benchmark::Scene scene, const Effort& effort, WantsToStop stop)
+ReferenceScene::ReferenceScene(benchmark::Scene scene, const Effort& effort, WantsToStop stop)
   : Scene(std::move(scene))
   , Work(effort)
   , Stop(std::move(stop))
 {
 }
 
-const Truth& Stage::Horizons()
+const ReferenceHorizons& ReferenceScene::Horizons()
 {
   if (!this->Sparse)
   {
-    this->Sparse = std::make_unique<Truth>(
+    this->Sparse = std::make_unique<ReferenceHorizons>(
       this->Scene, this->Work.Posts, EvenDegrees(this->Work.Azimuths), Seed, this->Stop);
   }
   return *this->Sparse;
 }
 
-const Truth& Stage::DenseHorizons()
+const ReferenceHorizons& ReferenceScene::SkyHorizons()
 {
   if (!this->Dense)
   {
-    this->Dense = std::make_unique<Truth>(
+    this->Dense = std::make_unique<ReferenceHorizons>(
       this->Scene, this->Work.SkyPosts, EvenDegrees(this->Work.SkyAzimuths), Seed, this->Stop);
   }
   return *this->Dense;
 }
 
-const std::vector<double>& Stage::SkyView()
+const std::vector<double>& ReferenceScene::SkyView()
 {
   if (this->Sky.empty())
   {
-    const Truth& truth = this->DenseHorizons();
+    const ReferenceHorizons& truth = this->SkyHorizons();
     this->Sky.resize(truth.Posts.size());
     ForAll(
       truth.Posts.size(),
@@ -101,11 +101,11 @@ const std::vector<double>& Stage::SkyView()
   return this->Sky;
 }
 
-const LightTruth& Stage::ClearSky()
+const ReferenceLight& ReferenceScene::ClearSky()
 {
   if (!this->Clear)
   {
-    const Truth& truth = this->DenseHorizons();
+    const ReferenceHorizons& truth = this->SkyHorizons();
     const auto sky = MakeClearSky();
     const LightMap map = sky->GetLightMap().Map;
     testing::OwnedMap pixels(map.Columns, map.Rows);
@@ -113,7 +113,7 @@ const LightTruth& Stage::ClearSky()
     {
       std::copy_n(map.Pixel(row, 0), 3 * map.Columns, pixels.At(0, row));
     }
-    this->Clear = std::make_unique<LightTruth>();
+    this->Clear = std::make_unique<ReferenceLight>();
     this->Clear->Posts = truth.Posts;
     this->Clear->Light.resize(truth.Posts.size());
     ForAll(
@@ -133,13 +133,13 @@ const LightTruth& Stage::ClearSky()
   return *this->Clear;
 }
 
-std::ptrdiff_t Stage::WindowSide() const
+std::ptrdiff_t ReferenceScene::WindowSide() const
 {
   const oracle::OracleField& field = this->Scene.Field;
   return std::min(Side, std::min(field.Columns, field.Rows) - 2);
 }
 
-const Truth& Stage::SunHorizons()
+const ReferenceHorizons& ReferenceScene::SunHorizons()
 {
   if (!this->Window)
   {
@@ -160,13 +160,13 @@ const Truth& Stage::SunHorizons()
     {
       azimuths.push_back(sun.Azimuth);
     }
-    this->Window =
-      std::make_unique<Truth>(this->Scene, std::move(posts), std::move(azimuths), this->Stop);
+    this->Window = std::make_unique<ReferenceHorizons>(
+      this->Scene, std::move(posts), std::move(azimuths), this->Stop);
   }
   return *this->Window;
 }
 
-LampAt Stage::Lamp() const
+LampAt ReferenceScene::Lamp() const
 {
   const oracle::OracleField& field = this->Scene.Field;
   const std::ptrdiff_t column = field.Columns / 2, row = field.Rows / 2;
@@ -182,12 +182,12 @@ LampAt Stage::Lamp() const
     (std::isfinite(ground) ? ground : high) + 0.25 * (high - low) + 0.02 * side, 0.01 * side };
 }
 
-const LightTruth& Stage::LampLight()
+const ReferenceLight& ReferenceScene::LampLight()
 {
   if (!this->Lit)
   {
-    const Truth& truth = this->Horizons(); // for its posts, drawn at random
-    this->Lit = std::make_unique<LightTruth>();
+    const ReferenceHorizons& truth = this->Horizons(); // for its posts, drawn at random
+    this->Lit = std::make_unique<ReferenceLight>();
     this->Lit->Posts.assign(truth.Posts.begin(),
       truth.Posts.begin() + std::min<std::ptrdiff_t>(this->Work.SkyPosts, this->Work.Posts));
     this->Lit->Light.resize(this->Lit->Posts.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Truth.h"
+#include "ReferenceHorizons.h"
 
 #include "Reference/Shapes.h"
 
@@ -23,8 +23,8 @@ bool HasFourCells(const oracle::OracleField& field, std::ptrdiff_t column, std::
 
 } // namespace
 
-Truth::Truth(const Scene& scene, std::ptrdiff_t posts, std::vector<double> azimuths,
-  std::uint64_t seed, const WantsToStop& stop)
+ReferenceHorizons::ReferenceHorizons(const Scene& scene, std::ptrdiff_t posts,
+  std::vector<double> azimuths, std::uint64_t seed, const WantsToStop& stop)
   : Azimuths(std::move(azimuths))
 {
   const oracle::OracleField& field = scene.Field;
@@ -49,15 +49,15 @@ Truth::Truth(const Scene& scene, std::ptrdiff_t posts, std::vector<double> azimu
   this->Find(field, stop);
 }
 
-Truth::Truth(const Scene& scene, std::vector<std::ptrdiff_t> posts, std::vector<double> azimuths,
-  const WantsToStop& stop)
+ReferenceHorizons::ReferenceHorizons(const Scene& scene, std::vector<std::ptrdiff_t> posts,
+  std::vector<double> azimuths, const WantsToStop& stop)
   : Azimuths(std::move(azimuths))
   , Posts(std::move(posts))
 {
   this->Find(scene.Field, stop);
 }
 
-void Truth::Find(const oracle::OracleField& field, const WantsToStop& stop)
+void ReferenceHorizons::Find(const oracle::OracleField& field, const WantsToStop& stop)
 {
   const std::size_t count = this->Posts.size();
   this->Elevations.resize(this->Azimuths.size() * count);

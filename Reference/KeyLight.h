@@ -6,7 +6,6 @@
 
 #include "Harmonics/SphericalHarmonics.h"
 #include "Horizon/Swath.h"
-#include "SkylineCoreModule.h" // for the export macro
 
 #include <cstddef>
 #include <vector>
@@ -24,7 +23,7 @@ struct KeyLight
 
 /// The range of azimuths that the disc of a light covers: asin(sin r / cos e) to each side of its
 /// centre, or the full circle if the disc contains the zenith.
-SKYLINECORE_EXPORT Swath SwathOf(const KeyLight& light);
+Swath SwathOf(const KeyLight& light);
 
 /// How a key light is converted to a series.
 enum class KeyLightSeries
@@ -38,13 +37,13 @@ enum class KeyLightSeries
 /// that an unshadowed receiver that faces the light gets the irradiance of the disc, which is pi
 /// sin^2 r or that of the part above the horizontal plane (SN08, figure 6: unit unshadowed
 /// shading). All coefficients are 0 if the light lies outside the swath. bands: 1 to 8.
-SKYLINECORE_EXPORT void KeyLightHarmonics(const KeyLight& light, const Swath& swath, int bands,
-  double* coefficients, KeyLightSeries series = KeyLightSeries::Fitted);
+void KeyLightHarmonics(const KeyLight& light, const Swath& swath, int bands, double* coefficients,
+  KeyLightSeries series = KeyLightSeries::Fitted);
 
 /// Irradiance from the part of a disc of radiance 1 above the horizontal plane on a receiver that
 /// faces the disc: pi sin^2 r if the whole disc lies above. Computed by quadrature, with a relative
 /// error of 1e-6.
-SKYLINECORE_EXPORT double FacingIrradiance(const KeyLight& light);
+double FacingIrradiance(const KeyLight& light);
 
 } // namespace skyline
 

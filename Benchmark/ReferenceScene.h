@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene with the reference values for its measurements, each computed when it is first used.
-#ifndef skyline_Stage_h
-#define skyline_Stage_h
+#ifndef skyline_ReferenceScene_h
+#define skyline_ReferenceScene_h
 
+#include "ReferenceHorizons.h"
 #include "Scenes.h"
-#include "Truth.h"
 
 #include <array>
 #include <memory>
@@ -44,41 +44,41 @@ struct LampAt
 };
 
 /// The reference irradiance of some posts, with red, green and blue for each.
-struct LightTruth
+struct ReferenceLight
 {
   std::vector<std::ptrdiff_t> Posts;
   std::vector<double> Light;
   double Mean = 0.0;
 };
 
-class Stage
+class ReferenceScene
 {
 public:
-  Stage(benchmark::Scene scene, const Effort& effort, WantsToStop stop);
+  ReferenceScene(benchmark::Scene scene, const Effort& effort, WantsToStop stop);
 
   const benchmark::Scene Scene;
   const Effort Work;
 
-  const Truth& Horizons(); ///< Effort::Posts posts, Effort::Azimuths azimuths
+  const ReferenceHorizons& Horizons(); ///< Effort::Posts posts, Effort::Azimuths azimuths
 
-  const Truth& DenseHorizons(); ///< Effort::SkyPosts posts, Effort::SkyAzimuths azimuths
-  /// Sky view factors of the posts of DenseHorizons.
+  const ReferenceHorizons& SkyHorizons(); ///< Effort::SkyPosts posts, Effort::SkyAzimuths azimuths
+  /// Sky view factors of the posts of SkyHorizons.
   const std::vector<double>& SkyView();
   /// Irradiance of the same posts under the sky of ClearSky.h.
-  const LightTruth& ClearSky();
+  const ReferenceLight& ClearSky();
 
   /// Horizons towards each sun for a square in the middle of the scene, row by row.
-  const Truth& SunHorizons();
+  const ReferenceHorizons& SunHorizons();
   std::ptrdiff_t WindowSide() const;
 
   LampAt Lamp() const; ///< above the middle of the scene
-  const LightTruth& LampLight();
+  const ReferenceLight& LampLight();
 
 private:
   WantsToStop Stop;
-  std::unique_ptr<Truth> Sparse, Dense, Window;
+  std::unique_ptr<ReferenceHorizons> Sparse, Dense, Window;
   std::vector<double> Sky;
-  std::unique_ptr<LightTruth> Clear, Lit;
+  std::unique_ptr<ReferenceLight> Clear, Lit;
 };
 
 } // namespace benchmark

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Passes.h"
+#include "RunPass.h"
 
 #include "Data/ErrorReason.h"
 #include "Failure.h"
@@ -173,14 +173,14 @@ public:
 namespace skyline
 {
 
-void PrepareVtk(const Talk& talk)
+void PrepareVtk(const CommonOptions& common)
 {
   vtkNew<SilentWindow> window;
   vtkOutputWindow::SetInstance(window);
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   // More threads than processors have no use, and TBB would print a warning about them.
   const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int wanted = talk.Threads > 0 ? std::min(talk.Threads, processors) : processors;
+  const int wanted = common.Threads > 0 ? std::min(common.Threads, processors) : processors;
   const int threads = CountThreads(wanted);
   if (threads == 1)
   {
@@ -194,10 +194,10 @@ void PrepareVtk(const Talk& talk)
   ::setenv("LP_NUM_THREADS", std::to_string(threads == 1 ? 0 : threads).c_str(), 0);
 }
 
-void PrintWarning(const std::string& text, const Talk& talk)
+void PrintWarning(const std::string& text, const CommonOptions& common)
 {
   static std::set<std::string> printed;
-  if (!talk.Quiet && printed.insert(text).second)
+  if (!common.Quiet && printed.insert(text).second)
   {
     std::fprintf(stderr, "warning: %s\n", text.c_str());
   }
@@ -208,14 +208,14 @@ std::string ReasonOf(const std::string& text)
   return FirstLine(ErrorReason(text));
 }
 
-void RunPass(vtkAlgorithm* algorithm, const std::string& title, const Talk& talk,
+void RunPass(vtkAlgorithm* algorithm, const std::string& title, const CommonOptions& common,
   const std::function<void()>& update)
 {
   StopIfInterrupted();
   Heard() = Messages();
   const auto start = std::chrono::steady_clock::now();
   {
-    Bar bar(title, !talk.Quiet && isatty(STDERR_FILENO) != 0);
+    Bar bar(title, !common.Quiet && isatty(STDERR_FILENO) != 0);
     vtkNew<Watch> watch;
     watch->Progress = &bar;
     algorithm->AddObserver(vtkCommand::ErrorEvent, watch);
@@ -248,9 +248,9 @@ void RunPass(vtkAlgorithm* algorithm, const std::string& title, const Talk& talk
   }
   for (const std::string& warning : Heard().Warnings)
   {
-    PrintWarning(warning, talk);
+    PrintWarning(warning, common);
   }
-  if (talk.Verbose)
+  if (common.Verbose)
   {
     std::fprintf(stderr, "%-14s %8.3f s", title.c_str(), time.count());
     if (auto* horizons = vtkHeightFieldAlgorithm::SafeDownCast(algorithm))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The functions that take and return arrays: orientation, georeference, missing posts, memory, images.
 
-Run as `python3 TestDoors.py DATA PROGRAM`: Testing/Data, and the program skyline.
+Run as `python3 TestFunctions.py DATA PROGRAM`: Testing/Data, and the program skyline.
 """
 
 import datetime

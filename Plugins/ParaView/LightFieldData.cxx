@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LightCargo.h"
+#include "LightFieldData.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -61,7 +61,7 @@ vtkSmartPointer<vtkImageData> UnpackLeaf(vtkDataObject* leaf)
 
 } // namespace
 
-void PackLight(vtkImageData* image, const std::vector<std::string>& arrays, vtkDataObject* surface)
+void StoreLight(vtkImageData* image, const std::vector<std::string>& arrays, vtkDataObject* surface)
 {
   std::array<double, 12> numbers{};
   std::copy_n(image->GetExtent(), 6, numbers.begin());
@@ -81,7 +81,7 @@ void PackLight(vtkImageData* image, const std::vector<std::string>& arrays, vtkD
   }
 }
 
-vtkSmartPointer<vtkImageData> UnpackLight(vtkDataObject* surface)
+vtkSmartPointer<vtkImageData> LoadLight(vtkDataObject* surface)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(surface);
   if (!composite)
