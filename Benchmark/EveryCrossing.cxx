@@ -54,12 +54,12 @@ struct Receivers
 struct Edge
 {
   const float *A, *B;
-  float WeightA, WeightB, Sink;
+  float WeightA, WeightB, Drop;
 
   SKYLINE_INLINE float Slope(std::ptrdiff_t lane, float height) const
   {
     return this->WeightA * (this->A[lane] - height) + this->WeightB * (this->B[lane] - height) -
-      this->Sink;
+      this->Drop;
   }
 };
 
@@ -155,12 +155,12 @@ SKYLINE_INLINE void CrossLine(const RayFrame& frame, std::ptrdiff_t line, const 
     const bool fromLead = next || frame.Against;
     const Edge row{ p.FarTrail, p.FarLead, step.RowTrail, step.RowLead, step.RowSink };
     const Edge middle{ fromLead ? p.NearLead : p.NearTrail, fromLead ? p.FarTrail : p.FarLead,
-      step.MidNear, step.MidFar, step.MidSink };
+      step.MidNear, step.MidFar, step.MidDrop };
     const bool sides = next && frame.Against;
     const Edge left =
-      sides ? Edge{ p.NearLead, p.FarBehind, side.LeftNear, side.LeftFar, side.LeftSink } : middle;
+      sides ? Edge{ p.NearLead, p.FarBehind, side.LeftNear, side.LeftFar, side.LeftDrop } : middle;
     const Edge right =
-      sides ? Edge{ p.NearBeyond, p.FarTrail, side.RightNear, side.RightFar, side.RightSink } : row;
+      sides ? Edge{ p.NearBeyond, p.FarTrail, side.RightNear, side.RightFar, side.RightDrop } : row;
     if (!holes)
     {
       Raise(r, row, middle);
@@ -213,7 +213,7 @@ EveryCrossing::EveryCrossing(const HeightField& field, const HorizonSettings& se
 
 void EveryCrossing::SetAzimuth(const Grid& grid, double azimuth)
 {
-  this->Ray = std::make_unique<RayFrame>(this->Field, grid, azimuth, this->Settings.Sink);
+  this->Ray = std::make_unique<RayFrame>(this->Field, grid, azimuth, this->Settings.CurvatureDrop);
 }
 
 void EveryCrossing::Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd, std::ptrdiff_t laneBegin,

@@ -183,7 +183,8 @@ std::vector<Job> MakeJobs(
 
 } // namespace
 
-Session RunSession(const SessionOptions& options, const Tell& tell, const WantsToStop& stop)
+Session RunSession(
+  const SessionOptions& options, const ProgressFunction& tell, const WantsToStop& stop)
 {
   Session session;
   const double start = Now().Wall;

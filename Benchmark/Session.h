@@ -39,11 +39,13 @@ struct Session
 
 /// Called before each measurement with the number of finished ones, the number of all, and a text
 /// about the next one.
-using Tell = std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
+using ProgressFunction =
+  std::function<void(std::size_t done, std::size_t all, const std::string& what)>;
 
 /// Runs the measurements. Throws std::runtime_error if a raster cannot be read. If stopped, returns
 /// an unfinished session.
-Session RunSession(const SessionOptions& options, const Tell& tell, const WantsToStop& stop);
+Session RunSession(
+  const SessionOptions& options, const ProgressFunction& tell, const WantsToStop& stop);
 
 } // namespace benchmark
 } // namespace skyline

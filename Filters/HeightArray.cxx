@@ -54,7 +54,7 @@ std::string ReasonOfFailure(vtkImageData* image, const std::function<void()>& wo
   {
     const int* posts = image->GetDimensions();
     return "not enough memory for " + std::to_string(posts[0]) + " x " + std::to_string(posts[1]) +
-      " posts (std::bad_alloc); " + MemoryCure;
+      " posts (std::bad_alloc); " + MemoryAdvice;
   }
   catch (const std::exception& reason)
   {

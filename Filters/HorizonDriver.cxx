@@ -124,7 +124,7 @@ bool HorizonDriver::RunFans(HorizonMethod& method, const std::vector<double>& az
   {
     consumer.Begin(azimuths[number], width);
     const RayFan fan(
-      ground, azimuths[number], axes == AzimuthAxes::Image, this->Settings.Sink > 0.0);
+      ground, azimuths[number], axes == AzimuthAxes::Image, this->Settings.CurvatureDrop > 0.0);
     if (fan.IsOne())
     {
       if (!this->Goes(static_cast<double>(number) / count))

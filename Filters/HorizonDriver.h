@@ -34,8 +34,8 @@ enum class AzimuthAxes
 class SKYLINEFILTERS_EXPORT HorizonDriver
 {
 public:
-  /// `settings` says how horizons are found; its Sink is replaced by that of the input
-  /// (HorizonInput::Sink). `pyramids` keeps the pyramid of the method Pyramid; null: one is built
+  /// `settings` says how horizons are found; its CurvatureDrop is replaced by that of the input
+  /// (HorizonInput::CurvatureDrop). `pyramids` keeps the pyramid of the method Pyramid; null: one is built
   /// for each run. `input` and `pyramids` must outlive the driver.
   HorizonDriver(
     HorizonInput& input, const HorizonSettings& settings, PyramidCache* pyramids = nullptr);

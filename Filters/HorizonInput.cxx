@@ -155,7 +155,7 @@ HorizonInput::HorizonInput(vtkImageData* image, vtkDataArray* heights)
   this->RowsOfOneSpacing = RowBands(this->Metric);
 }
 
-double HorizonInput::Sink(double refraction) const
+double HorizonInput::CurvatureDrop(double refraction) const
 {
   if (!this->Where.OnBody())
   {

@@ -57,7 +57,7 @@ public:
 
   /// Returns (1 - refraction) / 2R in the middle of the raster, in 1/m: terrain appears lower by
   /// this times the square of its distance. 0 without a body. Refraction is used on the Earth only.
-  double Sink(double refraction) const;
+  double CurvatureDrop(double refraction) const;
 
   /// Writes dz/dx and dz/dy on the ground for each post, row by row.
   void FillGradients(float* east, float* north) const;

@@ -189,7 +189,7 @@ SkyDisc DiscOf(vtkSkylineKeyLight* light)
 
 std::vector<float> DrawDisc(const SkyDisc& disc, int& columns, int& rows)
 {
-  constexpr int Inside = 4; // samples per side that tell how much of a pixel is inside
+  constexpr int SamplesPerSide = 4; // samples per side that tell how much of a pixel is inside
   rows = 2 * static_cast<int>(std::ceil(0.5 * Pi / (disc.Radius / 16.0)));
   rows = std::max(rows, 180);
   columns = 2 * rows;
@@ -207,12 +207,12 @@ std::vector<float> DrawDisc(const SkyDisc& disc, int& columns, int& rows)
     for (int column = 0; column < columns; ++column)
     {
       int inside = 0;
-      for (int u = 0; u < Inside; ++u)
+      for (int u = 0; u < SamplesPerSide; ++u)
       {
-        const double zenith = (row + (u + 0.5) / Inside) * step;
-        for (int v = 0; v < Inside; ++v)
+        const double zenith = (row + (u + 0.5) / SamplesPerSide) * step;
+        for (int v = 0; v < SamplesPerSide; ++v)
         {
-          const double azimuth = (column + (v + 0.5) / Inside) * step - Pi;
+          const double azimuth = (column + (v + 0.5) / SamplesPerSide) * step - Pi;
           inside +=
             std::cos(zenith) * sine + std::sin(zenith) * cosine * std::cos(azimuth - disc.Azimuth) >
               limit
@@ -226,7 +226,7 @@ std::vector<float> DrawDisc(const SkyDisc& disc, int& columns, int& rows)
             (static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
               static_cast<std::size_t>(column)) +
           c] = static_cast<float>(disc.Irradiance[c] / (Pi * reach * reach) * inside /
-          (Inside * Inside));
+          (SamplesPerSide * SamplesPerSide));
       }
     }
   }
@@ -325,7 +325,7 @@ bool AddLamp(
   const LampTerrain terrain(driver.Input().Field());
   LampSettings settings;
   settings.Shape = driver.UsedSettings().Shape;
-  settings.Sink = driver.UsedSettings().Sink;
+  settings.CurvatureDrop = driver.UsedSettings().CurvatureDrop;
   const Grid& posted = driver.Input().Posts();
   const double column = (light->GetPosition()[0] - image.Origin[0]) / image.Spacing[0];
   const double row = (light->GetPosition()[1] - image.Origin[1]) / image.Spacing[1];

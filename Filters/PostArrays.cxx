@@ -50,7 +50,7 @@ vtkFloatArray* AddPostArray(vtkImageData* output, const char* name, int componen
   {
     throw std::runtime_error(std::string("no memory for ") + name + ": " +
       std::to_string(output->GetNumberOfPoints()) + " posts of " + std::to_string(components) +
-      " floats; " + MemoryCure);
+      " floats; " + MemoryAdvice);
   }
   output->GetPointData()->AddArray(array);
   return array;

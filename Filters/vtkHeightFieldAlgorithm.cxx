@@ -74,7 +74,7 @@ skyline::HorizonSettings vtkHeightFieldAlgorithm::Settings(
   skyline::HorizonSettings settings;
   settings.Method = static_cast<skyline::HorizonMethodKind>(this->Method);
   settings.Shape = static_cast<skyline::Surface>(this->Surface);
-  settings.Sink = this->Flat ? 0.0 : surface.Sink(this->RefractionCoefficient);
+  settings.CurvatureDrop = this->Flat ? 0.0 : surface.CurvatureDrop(this->RefractionCoefficient);
   settings.Tolerance = this->Tolerance * skyline::RadiansPerDegree;
   settings.Pyramid = { this->LevelStep, this->LevelOffset, this->LevelDistance, this->LevelSpline };
   return settings;

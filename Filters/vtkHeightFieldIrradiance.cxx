@@ -372,7 +372,7 @@ bool vtkHeightFieldIrradiance::AddTables(
     LightAccumulator accumulator(grid.Columns, grid.Rows, maps,
       LightAzimuths(this->NumberOfAzimuths, maps, this->Refine), options, posts.East, posts.North,
       posts.Irradiance);
-    std::vector<double> azimuths = accumulator.FedAzimuths();
+    std::vector<double> azimuths = accumulator.HorizonAzimuths();
     for (double& azimuth : azimuths)
     {
       // LINEAR passes north a second time at the end; it must be found in the cache.

@@ -116,7 +116,7 @@ std::unique_ptr<skyline::HorizonMethod> vtkHeightFieldShadowHeight::MakeMethod(
     return std::make_unique<skyline::ShadowHeightSweep>(driver.Input().Field(), slope);
   }
   return std::make_unique<skyline::ShadowHeightExact>(
-    driver.Input().Field(), slope, driver.UsedSettings().Sink);
+    driver.Input().Field(), slope, driver.UsedSettings().CurvatureDrop);
 }
 
 bool vtkHeightFieldShadowHeight::AddShadow(skyline::HorizonDriver& driver, vtkImageData* output,

@@ -39,53 +39,53 @@ public:
   Opened Open(const char* name, const char* access, bool setError, CSLConstList options) override
   {
     const bool create = access && std::string(access).find_first_of("wa") != std::string::npos;
-    const Visit visit(*this, name, create);
-    return visit.Allowed ? this->Inner->Open(name, access, setError, options) : Opened();
+    const GuardedCall call(*this, name, create);
+    return call.Allowed ? this->Inner->Open(name, access, setError, options) : Opened();
   }
   int Stat(const char* name, VSIStatBufL* status, int flags) override
   {
-    const Visit visit(*this, name);
-    return visit.Allowed ? this->Inner->Stat(name, status, flags) : -1;
+    const GuardedCall call(*this, name);
+    return call.Allowed ? this->Inner->Stat(name, status, flags) : -1;
   }
   char** ReadDirEx(const char* name, int most) override
   {
-    const Visit visit(*this, name);
-    return visit.Allowed ? this->Inner->ReadDirEx(name, most) : nullptr;
+    const GuardedCall call(*this, name);
+    return call.Allowed ? this->Inner->ReadDirEx(name, most) : nullptr;
   }
   char** SiblingFiles(const char* name) override
   {
-    const Visit visit(*this, name);
-    return visit.Allowed ? this->Inner->SiblingFiles(name) : nullptr;
+    const GuardedCall call(*this, name);
+    return call.Allowed ? this->Inner->SiblingFiles(name) : nullptr;
   }
   VSIDIR* OpenDir(const char* name, int depth, const char* const* options) override
   {
-    const Visit visit(*this, name);
-    return visit.Allowed ? this->Inner->OpenDir(name, depth, options) : nullptr;
+    const GuardedCall call(*this, name);
+    return call.Allowed ? this->Inner->OpenDir(name, depth, options) : nullptr;
   }
   char** GetFileMetadata(const char* name, const char* domain, CSLConstList options) override
   {
-    const Visit visit(*this, name);
-    return visit.Allowed ? this->Inner->GetFileMetadata(name, domain, options) : nullptr;
+    const GuardedCall call(*this, name);
+    return call.Allowed ? this->Inner->GetFileMetadata(name, domain, options) : nullptr;
   }
   int Unlink(const char* name) override
   {
-    const Visit visit(*this, name);
-    return visit.Allowed ? this->Inner->Unlink(name) : -1;
+    const GuardedCall call(*this, name);
+    return call.Allowed ? this->Inner->Unlink(name) : -1;
   }
   int Rename(const char* from, const char* to) override
   {
-    const Visit visit(*this, from), other(*this, to, true);
-    return visit.Allowed && other.Allowed ? this->Inner->Rename(from, to) : -1;
+    const GuardedCall call(*this, from), other(*this, to, true);
+    return call.Allowed && other.Allowed ? this->Inner->Rename(from, to) : -1;
   }
   int Mkdir(const char* name, long mode) override
   {
-    const Visit visit(*this, name, true);
-    return visit.Allowed ? this->Inner->Mkdir(name, mode) : -1;
+    const GuardedCall call(*this, name, true);
+    return call.Allowed ? this->Inner->Mkdir(name, mode) : -1;
   }
   int Rmdir(const char* name) override
   {
-    const Visit visit(*this, name);
-    return visit.Allowed ? this->Inner->Rmdir(name) : -1;
+    const GuardedCall call(*this, name);
+    return call.Allowed ? this->Inner->Rmdir(name) : -1;
   }
   int IsCaseSensitive(const char* name) override { return this->Inner->IsCaseSensitive(name); }
   GIntBig GetDiskFreeSpace(const char* name) override
@@ -104,8 +104,8 @@ public:
   const char* GetOptions() override { return this->Inner->GetOptions(); }
   char* GetSignedURL(const char* name, CSLConstList options) override
   {
-    const Visit visit(*this, name);
-    return visit.Allowed ? this->Inner->GetSignedURL(name, options) : nullptr;
+    const GuardedCall call(*this, name);
+    return call.Allowed ? this->Inner->GetSignedURL(name, options) : nullptr;
   }
   std::string GetStreamingFilename(const std::string& name) const override
   {
@@ -125,9 +125,9 @@ public:
 private:
   /// One call. It asks the guard whether the call is allowed, and does not judge the files that the
   /// network code itself reads.
-  struct Visit
+  struct GuardedCall
   {
-    Visit(const GuardedSystem& system, const char* name, bool create = false)
+    GuardedCall(const GuardedSystem& system, const char* name, bool create = false)
       : Guard(SourceGuard::GetCurrent())
     {
       if (!this->Guard)
@@ -144,15 +144,15 @@ private:
         errno = EACCES;
       }
     }
-    ~Visit()
+    ~GuardedCall()
     {
       if (this->Guard)
       {
         this->Guard->Suspended = this->Before;
       }
     }
-    Visit(const Visit&) = delete;
-    Visit& operator=(const Visit&) = delete;
+    GuardedCall(const GuardedCall&) = delete;
+    GuardedCall& operator=(const GuardedCall&) = delete;
 
     SourceGuard* Guard;
     bool Allowed = true;

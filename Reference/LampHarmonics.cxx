@@ -92,10 +92,10 @@ void LampZonal(int bands, const LampDisc& disc, double* zonal)
   }
 }
 
-void FindLampHorizons(const LampTerrain& terrain, const Grid& grid, Surface shape, double sink,
+void FindLampHorizons(const LampTerrain& terrain, const Grid& grid, Surface shape, double drop,
   const Lamp& lamp, double azimuth, std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd, float* slopes)
 {
-  const LampWalk walk(terrain, grid, shape, sink);
+  const LampWalk walk(terrain, grid, shape, drop);
   const Direction direction = DirectionOfAzimuth(azimuth);
   const LampAzimuth along{ direction.East, direction.North };
   Receivers receivers(terrain.Field());
@@ -151,13 +151,13 @@ void AddLampHarmonics(const LampTerrain& terrain, const Grid& grid, const float*
     {
       if (settings.Pyramid)
       {
-        FindLampHorizons(*settings.Pyramid, settings.Levels, grid, settings.Sink, lamp, k * width,
-          begin, end, slopes.data());
+        FindLampHorizons(*settings.Pyramid, settings.Levels, grid, settings.CurvatureDrop, lamp,
+          k * width, begin, end, slopes.data());
       }
       else
       {
-        FindLampHorizons(
-          terrain, grid, settings.Shape, settings.Sink, lamp, k * width, begin, end, slopes.data());
+        FindLampHorizons(terrain, grid, settings.Shape, settings.CurvatureDrop, lamp, k * width,
+          begin, end, slopes.data());
       }
       visibility.Begin(k * width, width);
       for (std::ptrdiff_t row = 0; row < end - begin; ++row)
@@ -182,7 +182,7 @@ void AddLampHarmonics(const LampTerrain& terrain, const Grid& grid, const float*
         }
         const double x = lamp.X - static_cast<double>(column) * grid.SpacingX;
         const double square = x * x + y * y;
-        const double z = lamp.Z - heights[column] - settings.Sink * square;
+        const double z = lamp.Z - heights[column] - settings.CurvatureDrop * square;
         const double distance = std::sqrt(square + z * z);
         double zonal[MaxHarmonicBands];
         LampZonal(bands, DiscOfLamp(lamp.Radius, distance), zonal);

@@ -31,7 +31,7 @@ struct LampHarmonicSettings
   int Azimuths = 32;                ///< evenly spaced, 1 or more; THESIS chapter 6 uses 32
   LampProduct Product = LampProduct::Transfer;
   Surface Shape = Surface::Triangles; ///< the surface through the posts
-  double Sink = 0.0;                  ///< (1 - k) / 2R in 1/m, as in LampSettings
+  double CurvatureDrop = 0.0;         ///< (1 - k) / 2R in 1/m, as in LampSettings
   /// If not null, horizons are found as in the thesis, from a pyramid of the same field, instead of
   /// from the surface.
   const HeightPyramid* Pyramid = nullptr;
@@ -47,7 +47,7 @@ void LampZonal(int bands, const LampDisc& disc, double* zonal);
 /// Only terrain whose distance on the map is less than that of the lamp's centre counts (THESIS
 /// equation 4.22). Slopes may be negative. They are NoTerrainSlope where there is no such terrain,
 /// and have no meaning at missing posts. Disjoint ranges of rows may run at the same time.
-void FindLampHorizons(const LampTerrain& terrain, const Grid& grid, Surface shape, double sink,
+void FindLampHorizons(const LampTerrain& terrain, const Grid& grid, Surface shape, double drop,
   const Lamp& lamp, double azimuth, std::ptrdiff_t rowBegin, std::ptrdiff_t rowEnd, float* slopes);
 
 /// Adds the irradiance of a lamp, as AddLampIrradiance does. The result is approximate, with soft

@@ -78,7 +78,7 @@ double SplineAt(const std::vector<double>& values, double parameter)
 } // namespace
 
 void FindLampHorizons(const HeightPyramid& pyramid, const PyramidSettings& settings,
-  const Grid& grid, double sink, const Lamp& lamp, double azimuth, std::ptrdiff_t rowBegin,
+  const Grid& grid, double drop, const Lamp& lamp, double azimuth, std::ptrdiff_t rowBegin,
   std::ptrdiff_t rowEnd, float* slopes)
 {
   // In the order of distance.
@@ -106,7 +106,7 @@ void FindLampHorizons(const HeightPyramid& pyramid, const PyramidSettings& setti
           break;
         }
         level = reach.Level;
-        angles.push_back(std::atan((there - here) / reach.Distance - sink * reach.Distance));
+        angles.push_back(std::atan((there - here) / reach.Distance - drop * reach.Distance));
         if (reach.Distance > distance)
         {
           break; // the one beyond the lamp

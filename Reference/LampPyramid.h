@@ -25,7 +25,7 @@ namespace skyline
 ///
 /// Expand of the pyramid is not needed, because heights are interpolated where they are read.
 void FindLampHorizons(const HeightPyramid& pyramid, const PyramidSettings& settings,
-  const Grid& grid, double sink, const Lamp& lamp, double azimuth, std::ptrdiff_t rowBegin,
+  const Grid& grid, double drop, const Lamp& lamp, double azimuth, std::ptrdiff_t rowBegin,
   std::ptrdiff_t rowEnd, float* slopes);
 
 } // namespace skyline

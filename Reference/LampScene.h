@@ -29,7 +29,7 @@ public:
     , North(East.size())
   {
     this->Settings.Shape = field.Through;
-    this->Settings.Sink = field.Sink;
+    this->Settings.CurvatureDrop = field.CurvatureDrop;
     Gradients(
       this->Posts, [&](std::ptrdiff_t i, std::ptrdiff_t j) { return field.At(i, j); }, 0,
       this->Posts.Rows, this->East.data(), this->North.data());

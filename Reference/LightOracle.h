@@ -150,7 +150,7 @@ inline Color SumLight(const std::vector<TurnedLightMap>& maps, const std::vector
   float irradiance[3] = { -7.0f, -7.0f, -7.0f };
   const auto ge = static_cast<float>(east), gn = static_cast<float>(north);
   LightAccumulator light(1, 1, maps, azimuths, options, &ge, &gn, irradiance);
-  for (const double azimuth : light.FedAzimuths())
+  for (const double azimuth : light.HorizonAzimuths())
   {
     const auto slope = static_cast<float>(std::tan(horizon(azimuth)));
     light.Begin(azimuth, 0.0);

@@ -34,7 +34,7 @@ struct OracleField
   double SpacingY = 1.0;                ///< metres between rows
   std::vector<double> Heights;          ///< metres, row by row from the south; not finite: missing
   Surface Through = Surface::Triangles; ///< the surface through the posts
-  double Sink = 0.0;                    ///< c in 1/m: the surface at distance d is lowered by c d^2
+  double CurvatureDrop = 0.0;           ///< c in 1/m: the surface at distance d is lowered by c d^2
 
   OracleField() = default;
   OracleField(std::ptrdiff_t columns, std::ptrdiff_t rows, double spacingX, double spacingY)
@@ -156,7 +156,7 @@ inline double HorizonSlope(
   double best = NoTerrain;
 
   const auto offer = [&](double distance, double z)
-  { best = std::max(best, (z - z0 - field.Sink * distance * distance) / distance); };
+  { best = std::max(best, (z - z0 - field.CurvatureDrop * distance * distance) / distance); };
   const auto inside = [&](double x, double y)
   { return x >= -PostSnap && y >= -PostSnap && x <= lastX + PostSnap && y <= lastY + PostSnap; };
 
@@ -272,7 +272,7 @@ inline double HorizonSlope(
       const double g = y0 - static_cast<double>(j);
       const double a = z00 + east * f + north * g + twist * f * g - z0;
       const double b = east * u + north * v + twist * (f * v + g * u);
-      const double c = twist * u * v - field.Sink;
+      const double c = twist * u * v - field.CurvatureDrop;
       if (s0 == 0.0)
       {
         best = std::max(best, b); // the limit at the receiver, where a is 0

@@ -36,9 +36,9 @@ GpuTexture StepTable(GpuDevice& device, const RayFrame& frame)
     const RayStep& step = frame.Steps[d];
     const SideStep& side = frame.Sides[d];
     const float numbers[16] = { static_cast<float>(step.Lane), static_cast<float>(step.Next),
-      step.RowTrail, step.RowLead, step.RowSink, step.MidNear, step.MidFar, step.MidSink,
-      side.LeftNear, side.LeftFar, side.LeftSink, 0.0f, side.RightNear, side.RightFar,
-      side.RightSink, 0.0f };
+      step.RowTrail, step.RowLead, step.RowSink, step.MidNear, step.MidFar, step.MidDrop,
+      side.LeftNear, side.LeftFar, side.LeftDrop, 0.0f, side.RightNear, side.RightFar,
+      side.RightDrop, 0.0f };
     texel = std::copy(numbers, numbers + 16, texel);
   }
   return Checked(device.Image(4 * RowLength, static_cast<int>(rows), 4, values.data()));
@@ -73,7 +73,7 @@ bool GpuExact::Load(const HeightField& field, std::uint64_t, const HorizonSettin
       this->Device, GpuText({ ShaderPart(skyline_GpuAngles), ShaderPart(skyline_GpuExact) }));
   }
   this->Field = &field;
-  this->Sink = settings.Sink;
+  this->CurvatureDrop = settings.CurvatureDrop;
   this->Tile = GpuArea();
   this->Sheets.clear();
   const int limit = this->Device.ImageLimit();
@@ -129,7 +129,7 @@ void GpuExact::Find(const GpuArea& tile, const GpuArea& area, const Grid& grid,
   bool first = true;
   for (std::size_t channel = 0; channel < azimuths.size(); ++channel)
   {
-    const RayFrame frame(*this->Field, grid, azimuths[channel], this->Sink);
+    const RayFrame frame(*this->Field, grid, azimuths[channel], this->CurvatureDrop);
     const GpuTexture steps = StepTable(this->Device, frame);
     for (const Sheet& sheet : this->Sheets)
     {

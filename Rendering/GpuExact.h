@@ -38,7 +38,7 @@ private:
   GpuDevice& Device;
   GpuLimits Limits;
   const HeightField* Field = nullptr;
-  double Sink = 0.0;
+  double CurvatureDrop = 0.0;
   int Side = 0;
   std::vector<Sheet> Sheets;
   GpuTexture Receivers;

@@ -38,7 +38,7 @@ bool GpuFilter::Attempt(
   // The graphics processor handles spacings that vary by row. Other distorted maps are left to the
   // host.
   const bool rows = driver.Input().Ground().Uniform() || driver.Input().Ground().ByRows();
-  if (!rows || !GpuHarmonics::Unknown(driver.UsedSettings()).empty())
+  if (!rows || !GpuHarmonics::UnsupportedSetting(driver.UsedSettings()).empty())
   {
     return false;
   }
@@ -48,7 +48,7 @@ bool GpuFilter::Attempt(
     // The destructor may have made another context current.
     if (!this->Device->IsAvailable())
     {
-      this->Tell(filter, this->Device->GetReason());
+      this->ReportFallback(filter, this->Device->GetReason());
       return false;
     }
     this->Harmonics = std::make_unique<GpuHarmonics>(this->Device->Gpu(), this->Device->Limits());
@@ -68,7 +68,7 @@ bool GpuFilter::Attempt(
   {
     this->Harmonics.reset();
     this->OneTile = this->Filled = false;
-    this->Tell(filter, error.what());
+    this->ReportFallback(filter, error.what());
     return false;
   }
 }
@@ -121,7 +121,7 @@ void GpuFilter::RemoveUnread(vtkImageData* output, const char* name) const
   }
 }
 
-void GpuFilter::Tell(vtkObject* filter, const std::string& reason)
+void GpuFilter::ReportFallback(vtkObject* filter, const std::string& reason)
 {
   if (reason != this->Told)
   {

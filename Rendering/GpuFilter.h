@@ -58,7 +58,7 @@ public:
 
 private:
   bool Attempt(vtkObject* filter, HorizonDriver& driver, const std::function<void()>& compute);
-  void Tell(vtkObject* filter, const std::string& reason);
+  void ReportFallback(vtkObject* filter, const std::string& reason);
 
   std::unique_ptr<GpuHarmonics> Harmonics;
   int Generation = 0;

@@ -47,16 +47,16 @@ GpuTexture Checked(GpuTexture texture)
 } // namespace
 
 /// Adds its lifetime to a sum of seconds.
-class GpuHarmonics::Lap
+class GpuHarmonics::StageTimer
 {
 public:
-  Lap(GpuHarmonics& owner, double& sum)
+  StageTimer(GpuHarmonics& owner, double& sum)
     : Owner(owner)
     , Sum(sum)
     , Start(owner.Times.Wanted ? Now() : 0.0)
   {
   }
-  ~Lap()
+  ~StageTimer()
   {
     if (this->Owner.Times.Wanted)
     {
@@ -64,8 +64,8 @@ public:
       this->Sum += Now() - this->Start;
     }
   }
-  Lap(const Lap&) = delete;
-  Lap& operator=(const Lap&) = delete;
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
 
 private:
   GpuHarmonics& Owner;
@@ -81,7 +81,7 @@ GpuHarmonics::GpuHarmonics(GpuDevice& device, const GpuLimits& limits)
 
 GpuHarmonics::~GpuHarmonics() = default;
 
-std::string GpuHarmonics::Unknown(const HorizonSettings& settings)
+std::string GpuHarmonics::UnsupportedSetting(const HorizonSettings& settings)
 {
   if (settings.Method == HorizonMethodKind::Sweep)
   {
@@ -105,7 +105,7 @@ bool GpuHarmonics::FitsOneTile(HorizonDriver& driver)
     this->Method = settings.Method;
   }
   {
-    const Lap lap(*this, this->Times.Load);
+    const StageTimer timer(*this, this->Times.Load);
     if (settings.Method != HorizonMethodKind::Pyramid)
     {
       driver.Input().Transpose();
@@ -154,7 +154,7 @@ bool GpuHarmonics::Run(HorizonDriver& driver, const Task& task)
     }
     if (task.Values)
     {
-      const Lap lap(*this, this->Times.Read);
+      const StageTimer timer(*this, this->Times.Read);
       this->ReadTile(driver, task, tile);
     }
   }
@@ -183,7 +183,7 @@ bool GpuHarmonics::Store(HorizonDriver& driver, const std::vector<double>& azimu
       done += static_cast<double>(here);
       const auto begin = azimuths.begin() + static_cast<std::ptrdiff_t>(first);
       this->FindRows(driver, tile, { begin, begin + static_cast<std::ptrdiff_t>(here) }, angles);
-      const Lap lap(*this, this->Times.Read);
+      const StageTimer timer(*this, this->Times.Read);
       this->Device.Read(angles, { 0, 0, tile.Width, tile.Height }, texels.data());
       const float* texel = texels.data();
       for (std::ptrdiff_t row = tile.Y; row < tile.Y + tile.Height; ++row)
@@ -209,7 +209,7 @@ bool GpuHarmonics::Store(HorizonDriver& driver, const std::vector<double>& azimu
 void GpuHarmonics::FindRows(HorizonDriver& driver, const GpuArea& tile,
   const std::vector<double>& azimuths, vtkTextureObject* angles)
 {
-  const Lap lap(*this, this->Times.Horizons);
+  const StageTimer timer(*this, this->Times.Horizons);
   for (const RowBand& band : driver.Input().Bands())
   {
     const int from = std::max(static_cast<int>(band.RowBegin), tile.Y);
@@ -276,7 +276,7 @@ bool GpuHarmonics::SumTile(
 {
   this->Columns = driver.Input().Posts().Columns;
   {
-    const Lap lap(*this, this->Times.Load);
+    const StageTimer timer(*this, this->Times.Load);
     this->Prepare(task, tile);
   }
   const std::vector<double>& azimuths = *task.Azimuths;
@@ -294,7 +294,7 @@ bool GpuHarmonics::SumTile(
     const std::vector<double> group(azimuths.begin() + static_cast<std::ptrdiff_t>(first),
       azimuths.begin() + static_cast<std::ptrdiff_t>(last));
     this->FindRows(driver, tile, group, this->Angles);
-    const Lap lap(*this, this->Times.Wedges);
+    const StageTimer timer(*this, this->Times.Wedges);
     const std::vector<float> texels = WedgeTexels(task.Bands, group, task.Width);
     const GpuTexture weights =
       Checked(this->Device.Image(static_cast<int>(texels.size() / 4), 1, 4, texels.data()));
@@ -356,14 +356,14 @@ void GpuHarmonics::ReadTile(HorizonDriver& driver, const Task& task, const GpuAr
 
 void GpuHarmonics::ReadImage(vtkTextureObject* image, float* texels)
 {
-  const Lap lap(*this, this->Times.Read);
+  const StageTimer timer(*this, this->Times.Read);
   this->Device.Read(image, { 0, 0, this->Width, this->Height }, texels);
 }
 
 GpuTexture GpuHarmonics::Light(const std::vector<double>& coefficients)
 {
   const GpuState state(this->Device);
-  const Lap lap(*this, this->Times.Light);
+  const StageTimer timer(*this, this->Times.Light);
   if (!this->Lighting || this->LitImages != this->Sums.size())
   {
     this->Lighting =

@@ -30,7 +30,7 @@ public:
   ~GpuHarmonics();
 
   /// Empty, or the reason why the graphics processor cannot compute with these settings.
-  static std::string Unknown(const HorizonSettings& settings);
+  static std::string UnsupportedSetting(const HorizonSettings& settings);
 
   struct Task
   {
@@ -67,7 +67,7 @@ public:
   GpuTimes Times;
 
 private:
-  class Lap;
+  class StageTimer;
   bool SumTile(
     HorizonDriver& driver, const Task& task, const GpuArea& tile, double begin, double end);
   std::vector<GpuArea> Tiles(const Grid& grid) const;

@@ -394,7 +394,7 @@ GpuTexture GpuPyramid::Reaches(
       const double numbers[12] = { this->Whole ? west : 0.0, this->Whole ? south : 0.0,
         std::max(0.0, reach.East - west), std::max(0.0, reach.North - south),
         1.0 * (this->Whole ? reach.Level - this->First : layer), 1.0 * (reach.Level - this->First),
-        1.0 / reach.Distance, this->Settings.Sink * reach.Distance,
+        1.0 / reach.Distance, this->Settings.CurvatureDrop * reach.Distance,
         std::max(0.0, std::ceil(-reach.East - snap)),
         std::min(lastColumn, std::floor(lastColumn - reach.East + snap)) + 1.0,
         std::max(0.0, std::ceil(-reach.North - snap)),

@@ -46,9 +46,9 @@ GpuTexture StepTable(GpuDevice& device, const RayFrame& frame)
     const RayStep& step = frame.Steps[d];
     const SideStep& side = frame.Sides[d];
     const float numbers[15] = { static_cast<float>(step.Lane), static_cast<float>(step.Next),
-      step.RowTrail, step.RowLead, step.RowSink, step.MidNear, step.MidFar, step.MidSink,
-      side.LeftNear, side.LeftFar, side.LeftSink, 0.0f, side.RightNear, side.RightFar,
-      side.RightSink };
+      step.RowTrail, step.RowLead, step.RowSink, step.MidNear, step.MidFar, step.MidDrop,
+      side.LeftNear, side.LeftFar, side.LeftDrop, 0.0f, side.RightNear, side.RightFar,
+      side.RightDrop };
     std::copy(numbers, numbers + 15, texel);
   }
   return Checked(device.Image(4 * RowLength, static_cast<int>(rows), 4, values.data()));
@@ -206,7 +206,7 @@ void GpuShadows::Hulls(const SweepLines& sweep, std::vector<float>& values)
     pass.Set("perLine", sweep.PerLine[0], sweep.PerLine[1]);
     pass.Set("begin", sweep.Begin);
     pass.Set("spacing", sweep.Step);
-    pass.Set("sink", sweep.Sink);
+    pass.Set("drop", sweep.CurvatureDrop);
     pass.Run(Groups(end - line, GroupLines));
     pass.Release();
     GpuCompute::Read(image, part.data());
@@ -221,7 +221,7 @@ GpuShadows* GpuShadowPasses::Open(
   this->OnDevice = false;
   if (!device->IsAvailable())
   {
-    this->Tell(filter, device->GetReason());
+    this->ReportFallback(filter, device->GetReason());
     return nullptr;
   }
   if (computes && !GpuCompute::Known())
@@ -244,17 +244,17 @@ GpuShadows* GpuShadowPasses::Open(
   }
   catch (const std::runtime_error& error)
   {
-    this->Tell(filter, error.what());
+    this->ReportFallback(filter, error.what());
     return nullptr;
   }
 }
 
 GpuFailure GpuShadowPasses::Failure(vtkObject* filter)
 {
-  return [this, filter](const std::string& reason) { this->Tell(filter, reason); };
+  return [this, filter](const std::string& reason) { this->ReportFallback(filter, reason); };
 }
 
-void GpuShadowPasses::Tell(vtkObject* filter, const std::string& reason)
+void GpuShadowPasses::ReportFallback(vtkObject* filter, const std::string& reason)
 {
   this->OnDevice = false;
   if (reason != this->Told)
@@ -266,8 +266,8 @@ void GpuShadowPasses::Tell(vtkObject* filter, const std::string& reason)
 }
 
 GpuShadowExact::GpuShadowExact(
-  GpuShadows& passes, GpuFailure failure, const HeightField& field, double slope, double sink)
-  : ShadowHeightExact(field, slope, sink)
+  GpuShadows& passes, GpuFailure failure, const HeightField& field, double slope, double drop)
+  : ShadowHeightExact(field, slope, drop)
   , Passes(passes)
   , Failure(std::move(failure))
   , Light(slope)

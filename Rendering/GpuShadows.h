@@ -77,7 +77,7 @@ public:
   GpuFailure Failure(vtkObject* filter);
 
 private:
-  void Tell(vtkObject* filter, const std::string& reason);
+  void ReportFallback(vtkObject* filter, const std::string& reason);
 
   std::unique_ptr<GpuShadows> Passes;
   vtkOpenGLHeightFieldDevice* Device = nullptr;
@@ -91,7 +91,7 @@ class GpuShadowExact : public ShadowHeightExact
 {
 public:
   GpuShadowExact(
-    GpuShadows& passes, GpuFailure failure, const HeightField& field, double slope, double sink);
+    GpuShadows& passes, GpuFailure failure, const HeightField& field, double slope, double drop);
   void SetAzimuth(const Grid& grid, double azimuth) override;
   void Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd, std::ptrdiff_t laneBegin,
     std::ptrdiff_t laneEnd, float* heights, std::ptrdiff_t stride) const override;

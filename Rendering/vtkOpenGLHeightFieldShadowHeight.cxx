@@ -78,5 +78,5 @@ std::unique_ptr<skyline::HorizonMethod> vtkOpenGLHeightFieldShadowHeight::MakeMe
       *this->Passes, failure, driver.Input().Field(), slope);
   }
   return std::make_unique<skyline::GpuShadowExact>(
-    *this->Passes, failure, driver.Input().Field(), slope, driver.UsedSettings().Sink);
+    *this->Passes, failure, driver.Input().Field(), slope, driver.UsedSettings().CurvatureDrop);
 }

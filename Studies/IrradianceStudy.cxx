@@ -189,7 +189,7 @@ void Measure(const Terrain& terrain, const NamedMap& named)
       LightAccumulator sum(static_cast<std::ptrdiff_t>(posts), 1, maps, azimuths, options,
         east.data(), north.data(), light.data());
       std::vector<float> slopes(posts);
-      for (const double azimuth : sum.FedAzimuths())
+      for (const double azimuth : sum.HorizonAzimuths())
       {
         for (std::size_t k = 0; k < posts; ++k)
         {

@@ -105,8 +105,8 @@ Frame Shade(const HeightField& field, const HorizonSettings& settings, const Swa
     }
   }
   lap(frame.Light);
-  volatile const float sink = colours[colours.size() / 2];
-  static_cast<void>(sink);
+  volatile const float drop = colours[colours.size() / 2];
+  static_cast<void>(drop);
   return frame;
 }
 

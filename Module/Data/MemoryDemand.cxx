@@ -166,7 +166,7 @@ void DemandMemory(
     throw std::runtime_error(what + " of " + std::to_string(columns) + " x " +
       std::to_string(rows) + " posts take " + InGigabytes(needed) + " more (" +
       std::to_string(std::lround(bytes)) + " bytes per post) and " + InGigabytes(free) +
-      " are free; " + MemoryCure);
+      " are free; " + MemoryAdvice);
   }
 }
 

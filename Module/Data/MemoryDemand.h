@@ -12,7 +12,7 @@ namespace skyline
 {
 
 /// Advice in messages about a lack of memory.
-constexpr const char* MemoryCure =
+constexpr const char* MemoryAdvice =
   "ask for less at a time, cut the raster (gdal_translate -srcwin) or make it coarser (-tr)";
 
 /// Bytes of memory and swap that this process can still allocate: the least of the free memory of

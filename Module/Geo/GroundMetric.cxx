@@ -24,7 +24,7 @@ constexpr double ShortestSide = 1.0;
 
 /// Columns closer together than this part of the distance between rows are about to meet in a
 /// point.
-constexpr double Collapsed = 0.05;
+constexpr double SmallestScaleRatio = 0.05;
 
 /// Part of a row by which a row is moved away from a point where all columns meet (a pole). This
 /// gives the mean over the half row that its posts stand for.
@@ -198,9 +198,9 @@ bool GroundMetric::Sample(const Georeference& place, std::ptrdiff_t side)
       const double column =
         static_cast<double>(i) * static_cast<double>(this->ColumnCount - 1) / last;
       const PostMetric node = MetricOfLattice(place, column, row);
-      finer.Collapses = finer.Collapses || node.X < Collapsed * node.Y;
+      finer.Collapses = finer.Collapses || node.X < SmallestScaleRatio * node.Y;
       finer.Nodes.push_back(node);
-      if (this->Nodes.empty() || node.X < Collapsed * node.Y)
+      if (this->Nodes.empty() || node.X < SmallestScaleRatio * node.Y)
       {
         continue;
       }

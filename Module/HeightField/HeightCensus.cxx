@@ -109,11 +109,11 @@ bool HeightCensus::End::Note(double height, bool low)
     ++this->Values[place].Posts;
     return true;
   }
-  if (place == Kept)
+  if (place == EndSize)
   {
     return false;
   }
-  this->Size = std::min(this->Size + 1, Kept);
+  this->Size = std::min(this->Size + 1, EndSize);
   for (std::size_t i = this->Size - 1; i > place; --i)
   {
     this->Values[i] = this->Values[i - 1];
@@ -124,13 +124,13 @@ bool HeightCensus::End::Note(double height, bool low)
 
 void HeightCensus::Note(double height)
 {
-  if (height <= this->LowLimit && this->Low.Note(height, true) && this->Low.Size == Kept)
+  if (height <= this->LowLimit && this->Low.Note(height, true) && this->Low.Size == EndSize)
   {
-    this->LowLimit = this->Low.Values[Kept - 1].Height;
+    this->LowLimit = this->Low.Values[EndSize - 1].Height;
   }
-  if (height >= this->HighLimit && this->High.Note(height, false) && this->High.Size == Kept)
+  if (height >= this->HighLimit && this->High.Note(height, false) && this->High.Size == EndSize)
   {
-    this->HighLimit = this->High.Values[Kept - 1].Height;
+    this->HighLimit = this->High.Values[EndSize - 1].Height;
   }
   if (std::abs(height) >= LeastWatched)
   {
@@ -150,7 +150,8 @@ std::string HeightCensus::WhyDoubtful(
   const double gap = std::abs(next - value.Height);
   const double range = std::abs(far - next);
   const bool clear = gap >= Apart * range;
-  const bool varied = end.Size == Kept && first + 2 < Kept && end.Values[Kept - 1].Height != far;
+  const bool varied =
+    end.Size == EndSize && first + 2 < EndSize && end.Values[EndSize - 1].Height != far;
   const bool fill = clear && FillValue(value.Height) && gap * metres >= LeastApart &&
     (std::abs(value.Height) > 1000.0 || gap >= range);
   const bool minority = 2 * value.Posts < this->Count;
@@ -205,7 +206,7 @@ HeightCensus::Findings HeightCensus::Judge(
       any = !FillValue(value.Height) && std::abs(value.Height) * metres <= GreatestHeight;
       why = any ? "" : missing;
     }
-    else if (first + 1 < Kept)
+    else if (first + 1 < EndSize)
     {
       why = this->WhyDoubtful(end, first, far, atLow, fillsOnly, metres);
     }
@@ -227,7 +228,7 @@ HeightCensus::Findings HeightCensus::Judge(
   {
     fillsOnly = fills;
     left = any;
-    while (low < Kept && high < Kept && judgeEnds())
+    while (low < EndSize && high < EndSize && judgeEnds())
     {
     }
   }
@@ -242,8 +243,8 @@ HeightCensus::Findings HeightCensus::Judge(
   }
 
   findings.Doubts.resize(std::min(findings.Doubts.size(), MostDoubts));
-  findings.Lowest = this->Low.Values[std::min(low, Kept - 1)].Height;
-  findings.Highest = this->High.Values[std::min(high, Kept - 1)].Height;
+  findings.Lowest = this->Low.Values[std::min(low, EndSize - 1)].Height;
+  findings.Highest = this->High.Values[std::min(high, EndSize - 1)].Height;
   findings.Any = any && findings.Lowest <= findings.Highest;
   if (findings.Any && findings.Doubts.empty() &&
     (findings.Highest - findings.Lowest) * metres > NoRelief)

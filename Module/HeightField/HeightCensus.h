@@ -59,7 +59,7 @@ public:
   static std::string Text(double value, bool single);
 
 private:
-  static constexpr std::size_t Kept = 8; ///< distinct values at each end
+  static constexpr std::size_t EndSize = 8; ///< distinct values at each end
   static constexpr double LeastWatched = 9990.0;
   static constexpr std::array<double, 4> Watched{ { -9999.0, -32768.0, -32767.0, -99999.0 } };
   static constexpr double Near = 8.0; ///< values that differ from a watched one by at most this are
@@ -71,10 +71,10 @@ private:
     std::int64_t Posts = 0;
   };
 
-  /// Up to Kept distinct values, starting with the most extreme.
+  /// Up to EndSize distinct values, starting with the most extreme.
   struct End
   {
-    std::array<Value, Kept> Values;
+    std::array<Value, EndSize> Values;
     std::size_t Size = 0;
     bool Note(double height, bool low); // returns true if the height is kept
   };

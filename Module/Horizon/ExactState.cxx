@@ -33,14 +33,14 @@ void SegmentBounds::Resize(std::ptrdiff_t lines, std::ptrdiff_t stride, std::ptr
   }
 }
 
-void SegmentHoles::Resize(const MissingMap& posts)
+void GapsInSegments::Resize(const MissingMap& posts)
 {
   this->Runs = posts.Runs;
   const std::ptrdiff_t segments = posts.Lines / SegmentBounds::Lines + 1;
   this->Missing.assign(static_cast<std::size_t>(segments * posts.Runs), 0);
 }
 
-void SegmentHoles::Build(const RayFrame& frame, const MissingMap& posts, std::ptrdiff_t group)
+void GapsInSegments::Build(const RayFrame& frame, const MissingMap& posts, std::ptrdiff_t group)
 {
   constexpr std::ptrdiff_t lines = SegmentBounds::Lines;
   const std::ptrdiff_t begin = group * SegmentBounds::PerGroup;

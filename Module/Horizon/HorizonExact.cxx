@@ -124,10 +124,10 @@ struct BlockTest
 
   /// Returns true if posts under these bounds, whose near edge is `line` lines ahead, may raise the
   /// horizon of a receiver of the block.
-  HWY_INLINE bool MayGain(const float* level, const float* tilted, float line, float sink) const
+  HWY_INLINE bool MayGain(const float* level, const float* tilted, float line, float drop) const
   {
     const Vector lines = hn::Set(Lanes(), line);
-    const Vector sunk = hn::Set(Lanes(), sink);
+    const Vector sunk = hn::Set(Lanes(), drop);
     const Block top = Load(level);
     const Block bound =
       Each([](Vector blend, Vector t, Vector l) { return hn::MulAdd(blend, hn::Sub(t, l), l); },
@@ -401,7 +401,7 @@ HorizonExact::HorizonExact(const HeightField& field, const HorizonSettings& sett
 
 void HorizonExact::SetAzimuth(const Grid& grid, double azimuth)
 {
-  this->Ray = std::make_unique<RayFrame>(this->Field, grid, azimuth, this->Settings.Sink);
+  this->Ray = std::make_unique<RayFrame>(this->Field, grid, azimuth, this->Settings.CurvatureDrop);
   const bool corners =
     this->Ray->Against || this->Field.HasMissing() || this->Settings.Shape == Surface::Bilinear;
   // One extreme post does not cost the others their digits, so it must not increase their rounding

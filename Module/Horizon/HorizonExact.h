@@ -65,7 +65,7 @@ struct SegmentReach
 
 /// Marks the segments with missing posts, by runs of lanes. Empty if no post of the field is
 /// missing.
-class SegmentHoles
+class GapsInSegments
 {
 public:
   void Resize(const MissingMap& posts);
@@ -139,7 +139,7 @@ struct ExactState
   const RayFrame* Frame = nullptr;
   std::ptrdiff_t LineBegin = 0, LineEnd = 0, LaneBegin = 0, LaneEnd = 0; ///< range of the receivers
   SegmentBounds Bounds;
-  SegmentHoles Holes;
+  GapsInSegments Holes;
   std::array<SegmentReach, SegmentBounds::Lines + 1> Reach{};
   float Support = 0.0f, SupportInverse = 0.0f; ///< metres per line: slope of the tilted support,
                                                ///< and its inverse

@@ -48,7 +48,8 @@ struct HorizonSettings
   HorizonMethodKind Method = HorizonMethodKind::Exact;
   Surface Shape = Surface::Triangles; ///< Sweep and Pyramid require Triangles and use their own
                                       ///< samples
-  double Sink = 0.0; ///< (1 - k) / 2R in 1/m: a post at distance d is lowered by Sink d^2; 0: flat
+  double CurvatureDrop =
+    0.0; ///< (1 - k) / 2R in 1/m: a post at distance d is lowered by CurvatureDrop d^2; 0: flat
   double Tolerance = 0.0;  ///< radians by which Exact may lie below the horizon, 0 or more
   PyramidSettings Pyramid; ///< for Pyramid only
 };

@@ -36,7 +36,7 @@ struct LevelTask
   std::ptrdiff_t Shift = 0;          // lanes to the first of these columns
   std::ptrdiff_t Begin = 0, End = 0; // lanes whose caster lies in the data
   float InverseDistance = 1.0f;      // 1 / m
-  float Sink = 0.0f;                 // lowering of the caster by curvature, as a slope
+  float Drop = 0.0f;                 // lowering of the caster by curvature, as a slope
 };
 
 } // namespace skyline
@@ -157,7 +157,7 @@ HWY_INLINE Vectors<Side> SlopesOf(const LevelTask& task, std::ptrdiff_t lane)
       to.Of[v] = hn::Div(to.Of[v], hn::Max(there.Of[v], leastThere));
     }
     V slope = hn::MulSub(
-      hn::Sub(to.Of[v], from.Of[v]), hn::Set(d, task.InverseDistance), hn::Set(d, task.Sink));
+      hn::Sub(to.Of[v], from.Of[v]), hn::Set(d, task.InverseDistance), hn::Set(d, task.Drop));
     slope = hn::Max(slope, zero);
     if (Missing)
     {
@@ -338,7 +338,7 @@ void SetLanes(double shift, std::ptrdiff_t columns, LevelTask& task)
   task.End = static_cast<std::ptrdiff_t>(std::max(end, 0.0));
 }
 
-LevelTask TaskOf(const HeightPyramid& pyramid, const PyramidReach& reach, double sink,
+LevelTask TaskOf(const HeightPyramid& pyramid, const PyramidReach& reach, double drop,
   std::ptrdiff_t columns, std::ptrdiff_t rows, std::ptrdiff_t row)
 {
   LevelTask task;
@@ -367,7 +367,7 @@ LevelTask TaskOf(const HeightPyramid& pyramid, const PyramidReach& reach, double
   task.Far = static_cast<float>(std::max(0.0, reach.East - left));
   task.Near = 1.0f - task.Far;
   task.InverseDistance = static_cast<float>(1.0 / reach.Distance);
-  task.Sink = static_cast<float>(sink * reach.Distance);
+  task.Drop = static_cast<float>(drop * reach.Distance);
   return task;
 }
 
@@ -432,7 +432,7 @@ HorizonPyramid::HorizonPyramid(const HeightField& field, const HorizonSettings& 
 {
   CheckPyramidSettings(settings.Pyramid);
   // Lines are rows in every azimuth, as in the frame for north.
-  this->Ray = std::make_unique<RayFrame>(field, field.Posts(), 0.0, settings.Sink);
+  this->Ray = std::make_unique<RayFrame>(field, field.Posts(), 0.0, settings.CurvatureDrop);
 }
 
 void HorizonPyramid::SetAzimuth(const Grid& grid, double azimuth)
@@ -456,8 +456,8 @@ void HorizonPyramid::Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd,
     std::transform(this->Reach.begin(), this->Reach.end(), tasks.begin(),
       [&](const PyramidReach& reach)
       {
-        return TaskOf(*this->Pyramid, reach, this->Settings.Sink, this->Columns, this->Rows,
-          this->Ray->ImageLine(line));
+        return TaskOf(*this->Pyramid, reach, this->Settings.CurvatureDrop, this->Columns,
+          this->Rows, this->Ray->ImageLine(line));
       });
     HWY_DYNAMIC_DISPATCH(FindLine)
     (tasks, this->Pyramid->HasMissing(), this->Settings.Pyramid.Spline, laneBegin, whole,

@@ -59,7 +59,7 @@ HorizonSweep::HorizonSweep(const HeightField& field, const HorizonSettings& sett
 
 void HorizonSweep::SetAzimuth(const Grid& grid, double azimuth)
 {
-  this->Ray = std::make_unique<RayFrame>(this->Field, grid, azimuth, this->Settings.Sink);
+  this->Ray = std::make_unique<RayFrame>(this->Field, grid, azimuth, this->Settings.CurvatureDrop);
   // The step is one post, whatever the spacing. A step of the shorter spacing would make a million
   // samples per line on a grid whose posts are 1000 times as far apart along one axis as along the
   // other.
@@ -90,12 +90,12 @@ SweepLines HorizonSweep::LinesOfSweep() const
   return { this->LineCount, this->Samples,
     { along * to.East + across * to.North, along * to.North - across * to.East },
     { to.East, to.North }, { to.North, -to.East }, along * this->Step, this->Step,
-    this->Settings.Sink };
+    this->Settings.CurvatureDrop };
 }
 
 void HorizonSweep::Prepare(std::ptrdiff_t begin, std::ptrdiff_t end)
 {
-  const double sink = this->Settings.Sink;
+  const double drop = this->Settings.CurvatureDrop;
   std::vector<Sample> hull(static_cast<std::size_t>(this->Samples));
   for (std::ptrdiff_t line = begin; line < end; ++line)
   {
@@ -115,7 +115,7 @@ void HorizonSweep::Prepare(std::ptrdiff_t begin, std::ptrdiff_t end)
         continue;
       }
       // Curvature adds a parabola along the line, which does not change the order of slopes.
-      sample.Height -= sink * place * place;
+      sample.Height -= drop * place * place;
       while (depth >= 2 &&
         SlopeBetween(sample, hull[depth - 1]) <= SlopeBetween(sample, hull[depth - 2]))
       {
@@ -123,7 +123,7 @@ void HorizonSweep::Prepare(std::ptrdiff_t begin, std::ptrdiff_t end)
       }
       slopes[index] = depth == 0
         ? NoTerrainSlope
-        : static_cast<float>(SlopeBetween(sample, hull[depth - 1]) + 2.0 * sink * place);
+        : static_cast<float>(SlopeBetween(sample, hull[depth - 1]) + 2.0 * drop * place);
       hull[depth++] = sample;
     }
   }

@@ -13,13 +13,13 @@ namespace skyline
 
 /// The lattice of samples for one azimuth, in posts (columns and rows): the position of sample 0 of
 /// line 0 and the steps to the next sample and to the next line. In metres: the distance of sample
-/// 0 from the origin towards the azimuth, and the distance between samples. For the sink see
+/// 0 from the origin towards the azimuth, and the distance between samples. For the drop see
 /// HorizonSettings.
 struct SweepLines
 {
   std::ptrdiff_t Lines, Samples;
   double Origin[2], PerSample[2], PerLine[2];
-  double Begin, Step, Sink;
+  double Begin, Step, CurvatureDrop;
 };
 
 /// Parallel lines, one post apart, run over the field. They take bilinear samples one post apart

@@ -21,7 +21,7 @@ constexpr double SlantUnit = 1.0 / 68719476736.0; // 2^-36
 
 struct Weights
 {
-  float Near, Far, Sink;
+  float Near, Far, Drop;
 };
 
 // Weights for a crossing at the fraction `t` of the way from line D - 1 to line D.
@@ -93,7 +93,7 @@ bool RayFrame::TakesColumns(const Grid& grid, double azimuth)
   return std::abs(ray.Columns) > std::abs(ray.Rows);
 }
 
-RayFrame::RayFrame(const HeightField& field, const Grid& grid, double azimuth, double sink)
+RayFrame::RayFrame(const HeightField& field, const Grid& grid, double azimuth, double drop)
 {
   const PostsPerMetre ray = RayOfAzimuth(grid, azimuth);
   double along = ray.Rows;     // lines per metre
@@ -113,7 +113,7 @@ RayFrame::RayFrame(const HeightField& field, const Grid& grid, double azimuth, d
   this->Slant = std::nearbyint(std::abs(across / along) / SlantUnit) * SlantUnit;
   this->Drift = across < 0.0 && this->Slant > 0.0 ? -1 : 1;
   this->Against = this->Reversed != (this->Drift < 0);
-  const double sinkPerLine2 = sink * this->StepLength * this->StepLength;
+  const double sinkPerLine2 = drop * this->StepLength * this->StepLength;
   this->SinkPerLine2 = static_cast<float>(sinkPerLine2);
 
   this->FillSteps(sinkPerLine2);
@@ -151,10 +151,10 @@ void RayFrame::FillSteps(double sinkPerLine2)
       const Weights right = Between((2.0 - partBefore) / (1.0 + this->Slant), before, sinkPerLine2);
       side.LeftNear = left.Near;
       side.LeftFar = left.Far;
-      side.LeftSink = left.Sink;
+      side.LeftDrop = left.Drop;
       side.RightNear = right.Near;
       side.RightFar = right.Far;
-      side.RightSink = right.Sink;
+      side.RightDrop = right.Drop;
     }
     else if (this->Against)
     {
@@ -167,7 +167,7 @@ void RayFrame::FillSteps(double sinkPerLine2)
     const Weights mid = Between(middle, before, sinkPerLine2);
     step.MidNear = mid.Near;
     step.MidFar = mid.Far;
-    step.MidSink = mid.Sink;
+    step.MidDrop = mid.Drop;
     this->Places[static_cast<std::size_t>(d)] = { part, before + middle };
   }
 }

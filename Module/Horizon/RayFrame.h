@@ -34,7 +34,7 @@ PostsPerMetre RayOfAzimuth(const Grid& grid, double azimuth);
 
 /// What a ray meets from line D - 1 to line D ahead of its receiver. `trail` and `lead` are the two
 /// posts of a line on both sides of the ray; the ray drifts towards the lead post. A slope, in
-/// metres of height per line, is  a * A + b * B - sink,  where A and B are heights above the
+/// metres of height per line, is  a * A + b * B - drop,  where A and B are heights above the
 /// receiver.
 struct RayStep
 {
@@ -42,7 +42,7 @@ struct RayStep
                                     ///< receiver
   std::int32_t Next;                ///< 1: in this step the ray crosses to the next column of cells
   float RowTrail, RowLead, RowSink; ///< the edge from trail to lead on line D
-  float MidNear, MidFar, MidSink; ///< between the lines, weights of the posts on lines D - 1 and D:
+  float MidNear, MidFar, MidDrop; ///< between the lines, weights of the posts on lines D - 1 and D:
                                   ///< the cell's diagonal, or the column edge if Next
 };
 
@@ -50,8 +50,8 @@ struct RayStep
 /// drift.
 struct SideStep
 {
-  float LeftNear, LeftFar, LeftSink;
-  float RightNear, RightFar, RightSink;
+  float LeftNear, LeftFar, LeftDrop;
+  float RightNear, RightFar, RightDrop;
 };
 
 /// Positions within a step, for the bilinear surface and for missing posts.
@@ -66,8 +66,8 @@ struct StepPlace
 class SKYLINECORE_EXPORT RayFrame
 {
 public:
-  /// azimuth: radians clockwise from grid north; sink: (1 - k) / 2R in 1/m, 0 for a flat body.
-  RayFrame(const HeightField& field, const Grid& grid, double azimuth, double sink);
+  /// azimuth: radians clockwise from grid north; drop: (1 - k) / 2R in 1/m, 0 for a flat body.
+  RayFrame(const HeightField& field, const Grid& grid, double azimuth, double drop);
 
   /// Returns true if the lines of the frame are columns of the image, so that the field must be
   /// transposed.
@@ -83,7 +83,7 @@ public:
   double Slant = 0.0;             ///< lanes of drift per line, 0 to 1
   double StepLength = 1.0;        ///< metres along the ray per line
   bool Against = false;           ///< the diagonals run against the drift
-  float SinkPerLine2 = 0.0f;      ///< sink in metres per squared number of lines
+  float SinkPerLine2 = 0.0f;      ///< drop in metres per squared number of lines
   std::vector<RayStep> Steps;     ///< [D] for D = 1 .. Lines - 1; [0] is all zero
   std::vector<SideStep> Sides;    ///< likewise
   std::vector<StepPlace> Places;  ///< likewise

@@ -100,7 +100,7 @@ enum class Body
 
 /// The slope at which the rays meet the edge between posts a and b.
 template <Body Shape = Body::Curved>
-HWY_INLINE Block Edge(float weightA, const Block& a, float weightB, const Block& b, float sink)
+HWY_INLINE Block Edge(float weightA, const Block& a, float weightB, const Block& b, float drop)
 {
   const Vector wa = hn::Set(Lanes(), weightA);
   const Vector wb = hn::Set(Lanes(), weightB);
@@ -108,15 +108,15 @@ HWY_INLINE Block Edge(float weightA, const Block& a, float weightB, const Block&
   {
     return Each([&](Vector x, Vector y) { return hn::MulAdd(wb, y, hn::Mul(wa, x)); }, a, b);
   }
-  const Vector s = hn::Set(Lanes(), sink);
+  const Vector s = hn::Set(Lanes(), drop);
   return Each([&](Vector x, Vector y) { return hn::MulAdd(wb, y, hn::MulSub(wa, x, s)); }, a, b);
 }
 
 /// `best`, raised to the slope of an edge if the cell is complete.
 HWY_INLINE Block EdgeOf(const BlockMask& complete, const Block& best, float weightA, const Block& a,
-  float weightB, const Block& b, float sink)
+  float weightB, const Block& b, float drop)
 {
-  const Block edge = Max(best, Edge(weightA, a, weightB, b, sink));
+  const Block edge = Max(best, Edge(weightA, a, weightB, b, drop));
   return { hn::IfThenElse(complete.First, edge.First, best.First),
     hn::IfThenElse(complete.Second, edge.Second, best.Second) };
 }
@@ -132,7 +132,7 @@ HWY_INLINE BlockMask Complete(const Block& a, const Block& b, const Block& c, co
 
 /// The greatest slope inside a complete bilinear patch, between the entry of the ray at height `in`
 /// (relative to the receiver), `lineIn` lines away, and its exit. With the curvature `bend` (metres
-/// per line squared, including the sink of the body), the slope at T lines is  a / T + b + bend T.
+/// per line squared, including the drop of the body), the slope at T lines is  a / T + b + bend T.
 /// Its maximum inside is at T^2 = a / bend if both are negative.
 HWY_INLINE Vector InsidePatch(Mask complete, Vector best, const RayFrame& frame, Vector in,
   double lineIn, Vector out, double lineOut, Vector twist)
@@ -144,10 +144,10 @@ HWY_INLINE Vector InsidePatch(Mask complete, Vector best, const RayFrame& frame,
   const Lanes tag;
   const Vector t0 = hn::Set(tag, static_cast<float>(lineIn));
   const Vector t1 = hn::Set(tag, static_cast<float>(lineOut));
-  const Vector sink = hn::Set(tag, frame.SinkPerLine2);
-  const Vector bend = hn::MulSub(hn::Set(tag, static_cast<float>(frame.Slant)), twist, sink);
-  const Vector low = hn::NegMulAdd(sink, hn::Mul(t0, t0), in);
-  const Vector high = hn::NegMulAdd(sink, hn::Mul(t1, t1), out);
+  const Vector drop = hn::Set(tag, frame.SinkPerLine2);
+  const Vector bend = hn::MulSub(hn::Set(tag, static_cast<float>(frame.Slant)), twist, drop);
+  const Vector low = hn::NegMulAdd(drop, hn::Mul(t0, t0), in);
+  const Vector high = hn::NegMulAdd(drop, hn::Mul(t1, t1), out);
   const Vector rise =
     hn::Mul(hn::Sub(high, low), hn::Set(tag, static_cast<float>(1.0 / (lineOut - lineIn))));
   if (lineIn == 0.0)
@@ -224,14 +224,14 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
     {
       const Block row = Edge<Shape>(step.RowTrail, trail, step.RowLead, lead, step.RowSink);
       const Block middle = step.Next != 0
-        ? Edge<Shape>(step.MidNear, leadBefore, step.MidFar, trail, step.MidSink)
-        : Edge<Shape>(step.MidNear, trailBefore, step.MidFar, lead, step.MidSink);
+        ? Edge<Shape>(step.MidNear, leadBefore, step.MidFar, trail, step.MidDrop)
+        : Edge<Shape>(step.MidNear, trailBefore, step.MidFar, lead, step.MidDrop);
       best = Max(best, Max(row, middle));
     }
     else if constexpr (Kind == Walk::Against)
     {
       const Block row = Edge<Shape>(step.RowTrail, trail, step.RowLead, lead, step.RowSink);
-      const Block middle = Edge<Shape>(step.MidNear, leadBefore, step.MidFar, trail, step.MidSink);
+      const Block middle = Edge<Shape>(step.MidNear, leadBefore, step.MidFar, trail, step.MidDrop);
       best = Max(best, Max(row, middle));
       if (step.Next != 0)
       {
@@ -239,8 +239,8 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
         const Block left = Sub(Load(post - drift), heights);
         const Block right = Sub(Load(before + 2 * drift), heights);
         best = Max(best,
-          Max(Edge<Shape>(side.LeftNear, leadBefore, side.LeftFar, left, side.LeftSink),
-            Edge<Shape>(side.RightNear, right, side.RightFar, trail, side.RightSink)));
+          Max(Edge<Shape>(side.LeftNear, leadBefore, side.LeftFar, left, side.LeftDrop),
+            Edge<Shape>(side.RightNear, right, side.RightFar, trail, side.RightDrop)));
       }
     }
     else
@@ -268,7 +268,7 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
         else
         {
           best = EdgeOf(complete, best, step.MidNear, frame.Against ? leadBefore : trailBefore,
-            step.MidFar, frame.Against ? trail : lead, step.MidSink);
+            step.MidFar, frame.Against ? trail : lead, step.MidDrop);
         }
       }
       else
@@ -285,7 +285,7 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
         }
         best = EdgeOf({ hn::Or(leftComplete.First, rightComplete.First),
                         hn::Or(leftComplete.Second, rightComplete.Second) },
-          best, step.MidNear, leadBefore, step.MidFar, trail, step.MidSink);
+          best, step.MidNear, leadBefore, step.MidFar, trail, step.MidDrop);
         best = EdgeOf(rightComplete, best, step.RowTrail, trail, step.RowLead, lead, step.RowSink);
         if (mixed)
         {
@@ -301,9 +301,9 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
         else if (frame.Against)
         {
           best = EdgeOf(
-            leftComplete, best, side.LeftNear, leadBefore, side.LeftFar, left, side.LeftSink);
+            leftComplete, best, side.LeftNear, leadBefore, side.LeftFar, left, side.LeftDrop);
           best = EdgeOf(
-            rightComplete, best, side.RightNear, right, side.RightFar, trail, side.RightSink);
+            rightComplete, best, side.RightNear, right, side.RightFar, trail, side.RightDrop);
         }
       }
       if (places[d].Part == 0.0)

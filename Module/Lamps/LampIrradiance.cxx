@@ -319,7 +319,7 @@ void AddLampIrradiance(const LampTerrain& terrain, const Grid& grid, const float
   std::ptrdiff_t rowEnd, float* rgb, LampWork& work)
 {
   CheckLamp(lamp);
-  const LampWalk walk(terrain, grid, settings.Shape, settings.Sink);
+  const LampWalk walk(terrain, grid, settings.Shape, settings.CurvatureDrop);
   LampView view(walk, settings, work);
   std::vector<float> buffer;
   for (std::ptrdiff_t row = rowBegin; row < rowEnd; ++row)
@@ -337,7 +337,7 @@ void AddLampIrradiance(const LampTerrain& terrain, const Grid& grid, const float
       }
       const double x = lamp.X - static_cast<double>(column) * grid.SpacingX;
       const double level2 = x * x + y * y;
-      const double z = lamp.Z - heights[column] - settings.Sink * level2;
+      const double z = lamp.Z - heights[column] - settings.CurvatureDrop * level2;
       const double distance = std::sqrt(level2 + z * z);
       const LampDisc disc = DiscOfLamp(lamp.Radius, distance);
       const double reach = Pi * disc.Sine * disc.Sine;

@@ -16,7 +16,7 @@ namespace skyline
 struct LampSettings
 {
   Surface Shape = Surface::Triangles; ///< the surface between the posts
-  double Sink = 0.0;        ///< (1 - k) / 2R in 1/m, as in HorizonSettings; also lowers the lamp
+  double CurvatureDrop = 0.0; ///< (1 - k) / 2R in 1/m, as in HorizonSettings; also lowers the lamp
   int Azimuths = 32;        ///< initial number of vertical planes through the disc of a lamp, 2 or
                             ///< more
   double Tolerance = 0.002; ///< between planes with a shadow edge, more planes are added until the

@@ -52,7 +52,7 @@ bool LampWalk::ClearStart(const Fan& fan, std::ptrdiff_t column, std::ptrdiff_t 
 /// slopes above 0, the distance is at least its component along the direction to the middle of the
 /// cell (x, y), which is linear. For slopes below 0, minus slope times distance is convex.
 bool LampWalk::ClearCell(
-  const Fan& fan, std::ptrdiff_t column, std::ptrdiff_t row, double x, double y, double sink) const
+  const Fan& fan, std::ptrdiff_t column, std::ptrdiff_t row, double x, double y, double drop) const
 {
   const double scale = 1.0 / std::sqrt(x * x + y * y);
   const double hx = 0.5 * this->Lattice.SpacingX, hy = 0.5 * this->Lattice.SpacingY;
@@ -64,7 +64,7 @@ bool LampWalk::ClearCell(
     {
       const double u = m == 0 ? x - hx : x + hx;
       const double place = fan.Slope > 0.0 ? (u * x + v * y) * scale : std::sqrt(u * u + v * v);
-      if (line[m] - fan.From.Height - sink > fan.Slope * place)
+      if (line[m] - fan.From.Height - drop > fan.Slope * place)
       {
         return false;
       }
@@ -108,7 +108,7 @@ bool LampWalk::ClearBlock(
       ? std::max(std::max(low[0], low[1]), std::max(high[0], high[1]))
       : MissingHeight;
   }
-  const double rise = highest - fan.From.Height - this->Sink * near2;
+  const double rise = highest - fan.From.Height - this->CurvatureDrop * near2;
   const double ax = std::abs(x) + hx, ay = std::abs(y) + hy;
   const double place = rise > 0.0 ? std::sqrt(near2) : std::sqrt(ax * ax + ay * ay);
   if (rise <= fan.Slope * place && (near2 > 0.0 || rise <= 0.0))
@@ -117,7 +117,7 @@ bool LampWalk::ClearBlock(
   }
   if (level == 0)
   {
-    return near2 > 0.0 ? this->ClearCell(fan, column, row, x, y, this->Sink * near2)
+    return near2 > 0.0 ? this->ClearCell(fan, column, row, x, y, this->CurvatureDrop * near2)
                        : this->ClearStart(fan, column, row);
   }
   // The four quarters that lie inside the data.

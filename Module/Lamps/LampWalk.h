@@ -34,17 +34,17 @@ struct LampAzimuth
 ///   double Threshold()  only terrain with a greater slope matters
 ///   void Start(slope)   called before the first piece with the slope of the surface at the receiver
 ///   bool Piece(s0, z0, s1, z1)   a straight piece of terrain between the distances s0 < s1, with
-///                       heights above the receiver, less the sink of the body; returns false to
+///                       heights above the receiver, less the drop of the body; returns false to
 ///                       end the walk
 class LampWalk
 {
 public:
-  LampWalk(const LampTerrain& terrain, const Grid& grid, Surface shape, double sink)
+  LampWalk(const LampTerrain& terrain, const Grid& grid, Surface shape, double drop)
     : Terrain(&terrain)
     , Plane(&terrain.Field().RowPlane())
     , Lattice(grid)
     , Shape(shape)
-    , Sink(sink)
+    , CurvatureDrop(drop)
   {
   }
 
@@ -58,7 +58,7 @@ public:
     const LampReceiver& from, const LampAzimuth& azimuth, double distance, Visitor& visitor) const;
 
   /// Returns true if certainly no terrain has a slope above `slope` (metres of height, less the
-  /// sink of the body, per metre of distance from the receiver) within half a swath of an azimuth
+  /// drop of the body, per metre of distance from the receiver) within half a swath of an azimuth
   /// (given by its sine, below 1) and within `end` metres.
   bool Clear(const LampReceiver& from, const LampAzimuth& azimuth, double sinSwath, double end,
     double slope) const;
@@ -76,7 +76,7 @@ private:
   };
   bool ClearBlock(const Fan& fan, int level, std::ptrdiff_t column, std::ptrdiff_t row) const;
   bool ClearCell(const Fan& fan, std::ptrdiff_t column, std::ptrdiff_t row, double x, double y,
-    double sink) const;
+    double drop) const;
   bool ClearStart(const Fan& fan, std::ptrdiff_t column, std::ptrdiff_t row) const;
   struct Cell
   {
@@ -92,7 +92,7 @@ private:
   const PaddedPlane* Plane;
   Grid Lattice;
   Surface Shape;
-  double Sink;
+  double CurvatureDrop;
 };
 
 template <class Visitor>
@@ -145,7 +145,7 @@ bool LampWalk::Triangles(
   const auto height = [&](double s, bool east)
   {
     const double a = ray.U * s - cell.X, b = ray.V * s - cell.Y;
-    return cell.South + (east ? a * ex + b * ey : a * nx + b * ny) - this->Sink * s * s;
+    return cell.South + (east ? a * ex + b * ey : a * nx + b * ny) - this->CurvatureDrop * s * s;
   };
   const double middle = 0.5 * (in + out);
   const double drift = ray.U - ray.V;
@@ -173,7 +173,7 @@ bool LampWalk::Bilinear(
   const double twist = cell.Far - cell.South - east - north;
   const double a = cell.South - east * cell.X - north * cell.Y + twist * cell.X * cell.Y;
   const double b = east * ray.U + north * ray.V - twist * (cell.X * ray.V + cell.Y * ray.U);
-  const double c = twist * ray.U * ray.V - this->Sink;
+  const double c = twist * ray.U * ray.V - this->CurvatureDrop;
   const auto height = [&](double s) { return (in > 0.0 ? a : 0.0) + s * (b + s * c); };
   if (in == 0.0)
   {
@@ -254,7 +254,7 @@ void LampWalk::operator()(
         std::min(std::min(low[0], low[1]), std::min(high[0], high[1])) > 0.5f * MissingHeight;
       highest = std::max(std::max(low[0], low[1]), std::max(high[0], high[1]));
     }
-    const double rise = highest - from.Height - this->Sink * s * s;
+    const double rise = highest - from.Height - this->CurvatureDrop * s * s;
     const bool matters =
       complete && (s == 0.0 || rise > visitor.Threshold() * (rise > 0.0 ? s : out));
     if (matters && level > 0)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shadow heights by the search of the exact horizon: with weights that sum to 1, and the fall of
-// the light in place of the sink, the greatest slope becomes the greatest height.
+// the light in place of the drop, the greatest slope becomes the greatest height.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "ShadowHeight/ShadowHeight.cxx"
 #include "hwy/foreach_target.h"
@@ -211,15 +211,15 @@ public:
       const StepPlace& place = frame.Places[d];
       RayStep& step = frame.Steps[d];
       this->Set(place.Part, line, step.RowTrail, step.RowLead, step.RowSink);
-      this->Set(place.MidLine - before, place.MidLine, step.MidNear, step.MidFar, step.MidSink);
+      this->Set(place.MidLine - before, place.MidLine, step.MidNear, step.MidFar, step.MidDrop);
       if (step.Next != 0)
       {
         SideStep& side = frame.Sides[d];
         const double part = frame.Places[d - 1].Part;
         const double left = (1.0 - part) / (1.0 + frame.Slant);
         const double right = (2.0 - part) / (1.0 + frame.Slant);
-        this->Set(left, before + left, side.LeftNear, side.LeftFar, side.LeftSink);
-        this->Set(right, before + right, side.RightNear, side.RightFar, side.RightSink);
+        this->Set(left, before + left, side.LeftNear, side.LeftFar, side.LeftDrop);
+        this->Set(right, before + right, side.RightNear, side.RightFar, side.RightDrop);
       }
     }
   }
@@ -235,19 +235,20 @@ double ShadowSlope(double elevation)
   return elevation > 0.0 ? std::tan(std::min(elevation, HighestShadowLight)) : 0.0;
 }
 
-ShadowHeightExact::ShadowHeightExact(const HeightField& field, double slope, double sink)
+ShadowHeightExact::ShadowHeightExact(const HeightField& field, double slope, double drop)
   : Field(field)
   , Slope(slope)
-  , Sink(sink)
+  , CurvatureDrop(drop)
 {
 }
 
 void ShadowHeightExact::SetAzimuth(const Grid& grid, double azimuth)
 {
-  this->Ray = std::make_unique<RayFrame>(this->Field, grid, azimuth, this->Sink);
+  this->Ray = std::make_unique<RayFrame>(this->Field, grid, azimuth, this->CurvatureDrop);
   RayFrame& frame = *this->Ray;
   this->FallPerLine = this->Slope * frame.StepLength;
-  HeightSteps(this->FallPerLine, this->Sink * frame.StepLength * frame.StepLength).Apply(frame);
+  HeightSteps(this->FallPerLine, this->CurvatureDrop * frame.StepLength * frame.StepLength)
+    .Apply(frame);
   (frame.Columns ? this->ColumnTiles : this->RowTiles)
     .Build(frame.Columns ? this->Field.ColumnPlane() : this->Field.RowPlane());
 }
@@ -257,8 +258,8 @@ void ShadowHeightExact::Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd,
 {
   const RayFrame& frame = *this->Ray;
   const ShadowHeightTask task{ frame, frame.Columns ? this->ColumnTiles : this->RowTiles,
-    this->FallPerLine, this->Sink * frame.StepLength * frame.StepLength, this->Field.HasMissing(),
-    lineBegin, lineEnd, laneBegin, laneEnd, heights, stride };
+    this->FallPerLine, this->CurvatureDrop * frame.StepLength * frame.StepLength,
+    this->Field.HasMissing(), lineBegin, lineEnd, laneBegin, laneEnd, heights, stride };
   HWY_DYNAMIC_DISPATCH(FindShadowHeights)(task);
 }
 

@@ -26,7 +26,7 @@ constexpr double HighestShadowLight = 89.9 * RadiansPerDegree;
 /// 0 .. HighestShadowLight.
 SKYLINECORE_EXPORT double ShadowSlope(double elevation);
 
-/// Shadow heights of a directional light: the greatest  z - slope d - sink d^2  over all points
+/// Shadow heights of a directional light: the greatest  z - slope d - drop d^2  over all points
 /// where a vertical plane towards the light crosses an edge of the triangulated surface, at
 /// distance d > 0 and height z. A point above the post is in shadow if it lies below this height.
 /// The post itself is in shadow if its horizon lies above the light. The height is not cut off at
@@ -40,9 +40,9 @@ SKYLINECORE_EXPORT double ShadowSlope(double elevation);
 class SKYLINECORE_EXPORT ShadowHeightExact : public HorizonMethod
 {
 public:
-  /// slope: the ShadowSlope of the light; sink as in HorizonSettings. The field must be closed and
+  /// slope: the ShadowSlope of the light; drop as in HorizonSettings. The field must be closed and
   /// must outlive this object.
-  ShadowHeightExact(const HeightField& field, double slope, double sink);
+  ShadowHeightExact(const HeightField& field, double slope, double drop);
 
   void SetAzimuth(const Grid& grid, double azimuth) override;
   std::ptrdiff_t PrepareCount() const override { return 0; }
@@ -52,7 +52,7 @@ public:
 
 private:
   const HeightField& Field;
-  double Slope, Sink;
+  double Slope, CurvatureDrop;
   double FallPerLine = 0.0;
   ShadowHeightTiles RowTiles, ColumnTiles;
 };

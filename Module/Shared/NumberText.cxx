@@ -66,7 +66,7 @@ std::optional<std::vector<double>> ReadNumbers(const std::string& text, char sep
   return numbers;
 }
 
-std::string WhyNoNumber(const std::string& text)
+std::string NumberError(const std::string& text)
 {
   double number = 0.0;
   std::size_t length = 0;
@@ -100,7 +100,7 @@ std::string WhyNoNumbers(const std::string& text, char separator)
   {
     if (!ReadNumber(part))
     {
-      return part.empty() ? text + " has an empty part" : WhyNoNumber(part);
+      return part.empty() ? text + " has an empty part" : NumberError(part);
     }
   }
   return "";

@@ -24,7 +24,7 @@ SKYLINECORE_EXPORT std::optional<std::vector<double>> ReadNumbers(
 
 /// The reason why ReadNumber refuses a text: "12m is not a number: leave m out; the help names the
 /// units".
-SKYLINECORE_EXPORT std::string WhyNoNumber(const std::string& text);
+SKYLINECORE_EXPORT std::string NumberError(const std::string& text);
 
 /// The same for a list of numbers: the reason for the first part that is not a number. Empty if all
 /// are numbers.

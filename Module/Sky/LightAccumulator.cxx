@@ -187,7 +187,7 @@ LightAccumulator::LightAccumulator(std::ptrdiff_t columns, std::ptrdiff_t rows,
   }
 }
 
-std::vector<double> LightAccumulator::FedAzimuths() const
+std::vector<double> LightAccumulator::HorizonAzimuths() const
 {
   std::vector<double> fed = this->Azimuths;
   if (this->Settings.Quadrature == SwathQuadrature::Linear)

@@ -36,7 +36,7 @@ public:
 
   /// azimuths: rising, in radians clockwise from grid north, over less than a full turn; the last
   /// one is a neighbour of the first. They must be added in this order, for Linear with the first
-  /// one again at the end (FedAzimuths). The widths passed to Begin are ignored.
+  /// one again at the end (HorizonAzimuths). The widths passed to Begin are ignored.
   /// east, north: dz/dx and dz/dy of every post, row by row from the south (Normals.h), or null for
   /// level receivers. irradiance: three floats per post. All of these, and the pixels of the maps,
   /// must outlive the accumulator.
@@ -45,7 +45,7 @@ public:
     const Options& options, const float* east, const float* north, float* irradiance);
 
   /// The azimuths in the order in which they must be added.
-  std::vector<double> FedAzimuths() const;
+  std::vector<double> HorizonAzimuths() const;
 
   void Begin(double azimuth, double width) override;
   void Add(

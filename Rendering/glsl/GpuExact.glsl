@@ -6,7 +6,7 @@
 // heights: a rectangle of posts, whose edges are searched. receivers: the posts of the tile.
 // steps: four texels per step, rowLength steps per row:
 // 1. the lane of the trail post, 1 if the column of cells changes, the weights of trail and lead;
-// 2. their sink, then near, far and sink between the lines;
+// 2. their drop, then near, far and drop between the lines;
 // 3. the same on the left; 4. the same on the right.
 uniform sampler2D heights;
 uniform ivec2 place;     // column and row of the first post in heights
@@ -45,9 +45,9 @@ float Post(ivec2 origin, int line, int lane)
   return there ? texelFetch(heights, at, 0).x - own : Missing;
 }
 
-void Edge(bool counts, float weightA, float a, float weightB, float b, float sink)
+void Edge(bool counts, float weightA, float a, float weightB, float b, float drop)
 {
-  best = counts ? max(best, weightA * a + weightB * b - sink) : best;
+  best = counts ? max(best, weightA * a + weightB * b - drop) : best;
 }
 
 bool Complete(float a, float b, float c, float d)
@@ -72,7 +72,7 @@ float Horizon(ivec2 post)
   for (int d = first; d <= end; ++d)
   {
     vec4 row = Step(d, 0);
-    vec4 mid = Step(d, 1); // their sink, near, far and sink between the lines
+    vec4 mid = Step(d, 1); // their drop, near, far and drop between the lines
     int lane = int(row.x);
     float trail = Post(post, d, lane);
     float lead = Post(post, d, lane + drift);

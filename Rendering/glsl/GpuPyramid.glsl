@@ -4,7 +4,7 @@
 // casters, receivers: heights of the levels at the posts, times coverage, and the coverage.
 // reaches: three texels per level, one row per azimuth:
 // 1. the offset to the caster in posts (whole column and row, then their fractional parts);
-// 2. the layers of the caster and of the receiver, 1 / distance to the caster (1/m), and its sink
+// 2. the layers of the caster and of the receiver, 1 / distance to the caster (1/m), and its drop
 // as a slope;
 // 3. the columns and rows of the receivers whose casters lie in the data.
 uniform sampler3D casters;

@@ -16,7 +16,7 @@ uniform dvec2 perSample; // offset to the next sample, posts
 uniform dvec2 perLine;   // offset to the next line, posts
 uniform double begin;    // distance of sample 0 in the azimuth, metres
 uniform double spacing;  // distance between samples, metres
-uniform double sink;
+uniform double drop;
 
 const float Missing = -1.0e30;
 
@@ -66,14 +66,14 @@ void main()
     if (height > 0.5 * Missing)
     {
       double place = begin + double(index) * spacing;
-      vec2 point = vec2(index, float(double(height) - sink * place * place));
+      vec2 point = vec2(index, float(double(height) - drop * place * place));
       while (depth >= 2 && SlopeBetween(point, top) <= SlopeBetween(point, under))
       {
         --depth;
         top = under;
         under = depth >= 2 ? hull[base + depth - 2] : under;
       }
-      slope = depth == 0 ? NoTerrain : SlopeBetween(point, top) + float(2.0 * sink * place);
+      slope = depth == 0 ? NoTerrain : SlopeBetween(point, top) + float(2.0 * drop * place);
       hull[base + depth] = point;
       ++depth;
       under = top;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shadow heights from each edge that a ray crosses: the walk of GpuExact.glsl, with weights whose
-// sum is 1 and with the fall of the light in place of the sink. The text of GpuExact.glsl precedes
+// sum is 1 and with the fall of the light in place of the drop. The text of GpuExact.glsl precedes
 // this text.
 uniform ivec2 area; // the first post
 void main()

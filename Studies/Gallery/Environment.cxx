@@ -61,7 +61,7 @@ std::vector<float> Environment::Direct(const Scene& scene) const
   LightAccumulator sums(scene.Posts.Columns, scene.Posts.Rows, { TurnedLightMap{ map } }, azimuths,
     LightAccumulator::Options(), scene.East.data(), scene.North.data(), rgb.data());
   const HorizonsAt horizons = ExactHorizons(scene);
-  for (const double azimuth : sums.FedAzimuths())
+  for (const double azimuth : sums.HorizonAzimuths())
   {
     std::vector<float> slopes = horizons(azimuth);
     for (float& slope : slopes)

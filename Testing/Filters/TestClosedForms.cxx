@@ -182,10 +182,10 @@ double Dip(double eye)
 {
   oracle::OracleField field = shapes::Plane(3, 801, 1000.0, 0.0, 0.0);
   field.At(1, 0) = eye;
-  field.Sink = 0.5 / 6371000.0;
+  field.CurvatureDrop = 0.5 / 6371000.0;
   const HeightField posts = FieldOf(field);
   HorizonSettings settings;
-  settings.Sink = field.Sink;
+  settings.CurvatureDrop = field.CurvatureDrop;
   return Elevation(Slopes(*MakeHorizonMethod(posts, settings), GridOf(field), 0.0)[1]);
 }
 
@@ -322,7 +322,7 @@ TEST_P(ClosedForm, Holds)
   else if (Has(row.Case, "sphere R="))
   {
     // The ground is a parabola instead of a circle and has posts 1 km apart: errors of 1e-4 of the
-    // dip, and a quarter of the sink of one post.
+    // dip, and a quarter of the drop of one post.
     EXPECT_NEAR(Dip(p[0]), row.Value, 1.0e-3 * -row.Value + 0.0002);
   }
   else if (Has(row.Case, "spherical light"))

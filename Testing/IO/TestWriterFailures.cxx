@@ -57,7 +57,7 @@ vtkSmartPointer<vtkImageData> Noise(int columns, int rows)
 struct Way
 {
   const char* Name;
-  vtkSmartPointer<vtkHeightFieldFileWriter> Sink;
+  vtkSmartPointer<vtkHeightFieldFileWriter> Writer;
 };
 
 std::vector<Way> AllWays(vtkImageData* image)
@@ -67,27 +67,27 @@ std::vector<Way> AllWays(vtkImageData* image)
   cloud->CloudOptimizedOn();
   const auto picture = [](const char* array)
   {
-    auto sink = vtkSmartPointer<vtkHeightFieldPictureWriter>::New();
-    sink->SetArrayName(array);
-    return sink;
+    auto writer = vtkSmartPointer<vtkHeightFieldPictureWriter>::New();
+    writer->SetArrayName(array);
+    return writer;
   };
   std::vector<Way> ways{ { "out.tif", tiff }, { "cog.tif", cloud },
     { "out.png", picture("Colors") }, { "out.exr", picture("Light") },
     { "picture.tif", picture("Light") } };
   for (Way& way : ways)
   {
-    way.Sink->SetInputData(image);
+    way.Writer->SetInputData(image);
   }
   return ways;
 }
 
 /// Returns the message of a write that must fail.
-std::string Fail(vtkHeightFieldFileWriter* sink, const std::string& file)
+std::string Fail(vtkHeightFieldFileWriter* writer, const std::string& file)
 {
-  const Errors errors(sink);
-  sink->SetFileName(file.c_str());
-  EXPECT_EQ(sink->Write(), 0) << file;
-  EXPECT_NE(sink->GetErrorCode(), vtkErrorCode::NoError) << file;
+  const Errors errors(writer);
+  writer->SetFileName(file.c_str());
+  EXPECT_EQ(writer->Write(), 0) << file;
+  EXPECT_NE(writer->GetErrorCode(), vtkErrorCode::NoError) << file;
   EXPECT_EQ(errors.Count(), 1u) << file;
   EXPECT_EQ(errors.First().find('\n'), std::string::npos) << errors.First();
   return errors.First();
@@ -113,8 +113,8 @@ TEST(WriterFailures, NoSpaceAtAnyPoint)
   for (const Way& way : AllWays(image))
   {
     const std::string file = folder + "/" + way.Name;
-    way.Sink->SetFileName(file.c_str());
-    ASSERT_EQ(way.Sink->Write(), 1) << way.Name;
+    way.Writer->SetFileName(file.c_str());
+    ASSERT_EQ(way.Writer->Write(), 1) << way.Name;
     const auto size = static_cast<rlim_t>(std::filesystem::file_size(file));
     std::filesystem::remove(file);
     std::vector<rlim_t> limits{ 0, 1, 7, 8, 100, size - 1, size - 2, size - 100 };
@@ -127,8 +127,8 @@ TEST(WriterFailures, NoSpaceAtAnyPoint)
       rlimit limited = unlimited;
       limited.rlim_cur = limit;
       ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &limited), 0);
-      const Errors errors(way.Sink);
-      const int written = way.Sink->Write();
+      const Errors errors(way.Writer);
+      const int written = way.Writer->Write();
       ::setrlimit(RLIMIT_FSIZE, &unlimited);
       EXPECT_EQ(written, 0) << way.Name << " within " << limit << " of " << size;
       EXPECT_EQ(errors.Count(), 1u) << way.Name << " within " << limit;
@@ -149,9 +149,9 @@ TEST(WriterFailures, FullDisk)
   const auto image = Noise(400, 300);
   for (const Way& way : AllWays(image))
   {
-    const std::string message = Fail(way.Sink, folder + "/" + way.Name);
+    const std::string message = Fail(way.Writer, folder + "/" + way.Name);
     EXPECT_TRUE(Contains(message, "No space left on device; free some space")) << message;
-    EXPECT_EQ(way.Sink->GetErrorCode(), vtkErrorCode::OutOfDiskSpaceError);
+    EXPECT_EQ(way.Writer->GetErrorCode(), vtkErrorCode::OutOfDiskSpaceError);
     EXPECT_TRUE(FilesIn(folder).empty()) << way.Name;
   }
   ::umount(folder.c_str());
@@ -255,17 +255,17 @@ TEST(WriterFailures, AbortLeavesNothing)
   for (const Way& way : AllWays(image))
   {
     const std::string file = folder + "/" + way.Name;
-    const Errors errors(way.Sink);
-    const unsigned long tag = way.Sink->AddObserver(vtkCommand::ProgressEvent, stop);
-    way.Sink->SetFileName(file.c_str());
-    EXPECT_EQ(way.Sink->Write(), 0) << way.Name;
+    const Errors errors(way.Writer);
+    const unsigned long tag = way.Writer->AddObserver(vtkCommand::ProgressEvent, stop);
+    way.Writer->SetFileName(file.c_str());
+    EXPECT_EQ(way.Writer->Write(), 0) << way.Name;
     EXPECT_EQ(errors.Count(), 0u) << errors.First();
-    EXPECT_EQ(way.Sink->GetErrorCode(), vtkErrorCode::UserError) << way.Name;
+    EXPECT_EQ(way.Writer->GetErrorCode(), vtkErrorCode::UserError) << way.Name;
     EXPECT_TRUE(FilesIn(folder).empty()) << way.Name;
     // A second attempt succeeds.
-    way.Sink->RemoveObserver(tag);
-    way.Sink->SetAbortExecute(0);
-    EXPECT_EQ(way.Sink->Write(), 1) << way.Name;
+    way.Writer->RemoveObserver(tag);
+    way.Writer->SetAbortExecute(0);
+    EXPECT_EQ(way.Writer->Write(), 1) << way.Name;
     std::filesystem::remove(file);
   }
 }
@@ -287,9 +287,9 @@ TEST(WriterFailures, SignalLeavesNothing)
         });
       vtkNew<vtkCallbackCommand> interrupt;
       interrupt->SetCallback([](vtkObject*, unsigned long, void*, void*) { ::raise(SIGINT); });
-      way.Sink->AddObserver(vtkCommand::ProgressEvent, interrupt);
-      way.Sink->SetFileName((folder + "/" + way.Name).c_str());
-      way.Sink->Write();
+      way.Writer->AddObserver(vtkCommand::ProgressEvent, interrupt);
+      way.Writer->SetFileName((folder + "/" + way.Name).c_str());
+      way.Writer->Write();
       ::_exit(1);
     }
     int status = 0;
@@ -355,9 +355,9 @@ TEST(WriterFailures, WhatIsReadBackMustBeWhatWasWritten)
             file.put(static_cast<char>(~byte));
           }
         });
-      const unsigned long tag = way.Sink->AddObserver(vtkCommand::ProgressEvent, spoil);
-      const std::string message = Fail(way.Sink, folder + "/" + way.Name);
-      way.Sink->RemoveObserver(tag);
+      const unsigned long tag = way.Writer->AddObserver(vtkCommand::ProgressEvent, spoil);
+      const std::string message = Fail(way.Writer, folder + "/" + way.Name);
+      way.Writer->RemoveObserver(tag);
       EXPECT_TRUE(spoiler.Done) << way.Name;
       const bool different =
         Contains(message, "is not what was written; the memory or the disk may be at fault");
@@ -406,9 +406,9 @@ TEST(WriterFailures, ProgressRises)
         static_cast<std::vector<double>*>(list)->push_back(
           vtkAlgorithm::SafeDownCast(object)->GetProgress());
       });
-    way.Sink->AddObserver(vtkCommand::ProgressEvent, watch);
-    way.Sink->SetFileName((folder + "/" + way.Name).c_str());
-    EXPECT_EQ(way.Sink->Write(), 1);
+    way.Writer->AddObserver(vtkCommand::ProgressEvent, watch);
+    way.Writer->SetFileName((folder + "/" + way.Name).c_str());
+    EXPECT_EQ(way.Writer->Write(), 1);
     EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end())) << way.Name;
     ASSERT_FALSE(seen.empty());
     EXPECT_EQ(seen.back(), 1.0) << way.Name;

@@ -160,15 +160,15 @@ TEST(DiscretisedShapes, DipOfASphere)
   for (const double eye : { 10.0, 100.0, 1000.0, 3000.0 })
   {
     oracle::OracleField field = shapes::Spike(3, 801, 500.0, eye, 1, 0);
-    field.Sink = 0.5 / radius;
+    field.CurvatureDrop = 0.5 / radius;
     const double dip =
       oracle::ElevationDegrees(oracle::HorizonSlope(field, 1, 0, oracle::DirectionOfAzimuth(0.0)));
     const double truth = -std::acos(radius / (radius + eye)) * DegreesPerRadian;
     // The parabola changes the dip by eye / 4R. Posts 500 m apart miss the point of contact by at
-    // most 250 m, which raises the line of sight by sink * 250^2 divided by the distance.
+    // most 250 m, which raises the line of sight by drop * 250^2 divided by the distance.
     const double contact = std::sqrt(2.0 * radius * eye);
     const double bound = 0.26 * eye / radius * -truth +
-      field.Sink * 250.0 * 250.0 / (contact - 250.0) * DegreesPerRadian;
+      field.CurvatureDrop * 250.0 * 250.0 / (contact - 250.0) * DegreesPerRadian;
     EXPECT_NEAR(dip, truth, bound) << eye;
   }
 }

@@ -62,7 +62,7 @@ double SampledSlope(const oracle::OracleField& field, std::ptrdiff_t column, std
     {
       return best;
     }
-    const double z = HeightAt(field, x, y) - field.Sink * s * s;
+    const double z = HeightAt(field, x, y) - field.CurvatureDrop * s * s;
     if (std::isfinite(z))
     {
       best = std::max(best, (z - field.At(column, row)) / s);
@@ -179,9 +179,9 @@ TEST(Oracle, AgreesWithSamplesOfTheSurface)
   for (const Surface surface : { Surface::Triangles, Surface::Bilinear })
   {
     field.Through = surface;
-    for (const double sink : { 0.0, 1.0e-6 })
+    for (const double drop : { 0.0, 1.0e-6 })
     {
-      field.Sink = sink;
+      field.CurvatureDrop = drop;
       for (const double azimuth : { 3.0, 62.0, 77.7, 100.0, 143.0, 201.0, 277.0, 333.3 })
       {
         for (std::ptrdiff_t row = 0; row < field.Rows; row += 2)
@@ -192,7 +192,7 @@ TEST(Oracle, AgreesWithSamplesOfTheSurface)
             {
               const double truth = Slope(field, column, row, azimuth);
               const double sampled = SampledSlope(field, column, row, azimuth, 1000);
-              // The sink between crossings is convex: a sample can be up to 1e-6 above the
+              // The drop between crossings is convex: a sample can be up to 1e-6 above the
               // crossings.
               EXPECT_LE(sampled, truth + 1.0e-5) << column << " " << row << " " << azimuth;
               EXPECT_LE(truth, sampled + resolution) << column << " " << row << " " << azimuth;
@@ -240,13 +240,13 @@ TEST(Oracle, TouchingACornerCounts)
 
 TEST(Oracle, GroundSinksWithTheSquareOfDistance)
 {
-  const double sink = 0.5 / 6371000.0;
+  const double drop = 0.5 / 6371000.0;
   oracle::OracleField field = shapes::Spike(3, 301, 1000.0, 300.0, 1, 0);
-  field.Sink = sink;
+  field.CurvatureDrop = drop;
   // From the plain, the horizon is the next post, not the spike 200 km away. From the spike, it is
-  // the plain at d = sqrt(300 / sink) = 61.8 km, which is 62 km on the posts.
-  EXPECT_NEAR(Slope(field, 1, 200, 180.0), -sink * 1000.0, 1e-15); // the next post is the horizon
-  EXPECT_NEAR(Slope(field, 1, 0, 0.0), -(300.0 + sink * 62.0e3 * 62.0e3) / 62.0e3, 1e-15);
+  // the plain at d = sqrt(300 / drop) = 61.8 km, which is 62 km on the posts.
+  EXPECT_NEAR(Slope(field, 1, 200, 180.0), -drop * 1000.0, 1e-15); // the next post is the horizon
+  EXPECT_NEAR(Slope(field, 1, 0, 0.0), -(300.0 + drop * 62.0e3 * 62.0e3) / 62.0e3, 1e-15);
 }
 
 TEST(Oracle, SkyOfOpenLevelGround)

@@ -135,7 +135,7 @@ inline const std::vector<StabilityScene>& StabilityScenes()
       []
       {
         oracle::OracleField field = Fractal(24, 22, 2000.0, 900.0, 4);
-        field.Sink = 1.0e-6; // a body with a radius of 500 km
+        field.CurvatureDrop = 1.0e-6; // a body with a radius of 500 km
         return field;
       } },
     { "HousesAndHoles",

@@ -86,7 +86,7 @@ std::vector<float> FindSlopes(
   const OracleField& field, double azimuth, const HorizonSettings& asked = HorizonSettings())
 {
   HorizonSettings settings = asked;
-  settings.Sink = field.Sink;
+  settings.CurvatureDrop = field.CurvatureDrop;
   settings.Shape = field.Through;
   const HeightField posts = FieldOf(field);
   return Slopes(*MakeHorizonMethod(posts, settings), GridOf(field), azimuth);
@@ -119,8 +119,8 @@ RC_GTEST_PROP(HorizonProperty, EveryMethodKeepsItsPromise, ())
   // is no rounding.
   const bool diagonal = std::abs(std::remainder(azimuth, 90.0)) == 45.0;
   azimuth += diagonal && field.SpacingX != field.SpacingY ? 0.0137 : 0.0;
-  const double sink = *rc::gen::element(0.0, 0.0, 1.0e-7, 1.0e-3);
-  field.Sink = sink / std::max(field.SpacingX, field.SpacingY);
+  const double drop = *rc::gen::element(0.0, 0.0, 1.0e-7, 1.0e-3);
+  field.CurvatureDrop = drop / std::max(field.SpacingX, field.SpacingY);
   const bool bilinear = *rc::gen::inRange(0, 4) == 0;
   field.Through = bilinear ? Surface::Bilinear : Surface::Triangles;
   const std::vector<double> truth = oracle::HorizonSlopes(field, azimuth);

@@ -43,7 +43,7 @@ protected:
     this->Field = std::get<0>(GetParam()).Make();
     const bool floats = std::get<1>(GetParam()) == Heights::Float;
     this->Field = floats ? AsFloats(this->Field) : this->Field;
-    this->Field.Sink = 0.0; // an image without a georeference is flat
+    this->Field.CurvatureDrop = 0.0; // an image without a georeference is flat
     this->Image =
       floats ? ImageOf<vtkFloatArray>(this->Field) : ImageOf<vtkDoubleArray>(this->Field);
     // Coordinates like those of a UTM zone, in doubles as in a raster.

@@ -37,7 +37,7 @@ protected:
   void SetUp() override
   {
     this->Field = GetParam().Make();
-    this->Settings.Sink = this->Field.Sink;
+    this->Settings.CurvatureDrop = this->Field.CurvatureDrop;
   }
   std::size_t Posts() const { return this->Field.Heights.size(); }
   bool Missing(std::size_t post) const { return !std::isfinite(this->Field.Heights[post]); }
@@ -259,7 +259,7 @@ TEST_P(StabilityOfKernels, LampsGiveNoMoreThanAllAround)
     grid, [&](std::ptrdiff_t i, std::ptrdiff_t j) { return this->Field.At(i, j); }, 0, grid.Rows,
     east.data(), north.data());
   LampSettings settings;
-  settings.Sink = this->Field.Sink;
+  settings.CurvatureDrop = this->Field.CurvatureDrop;
   settings.Azimuths = 8;
   const double width = grid.SpacingX * static_cast<double>(grid.Columns);
   const double relief = ReliefOf(this->Field);
@@ -304,7 +304,7 @@ TEST_P(StabilityOfKernels, ShadowHeightsSayWhatHorizonsSay)
       std::string raised;
       {
         const FloatGuard guard;
-        ShadowHeightExact exact(posts, slope, this->Field.Sink);
+        ShadowHeightExact exact(posts, slope, this->Field.CurvatureDrop);
         heights = Slopes(exact, GridOf(this->Field), azimuth);
         ShadowHeightSweep sweep(posts, slope);
         swept = Slopes(sweep, GridOf(this->Field), azimuth);

@@ -140,8 +140,8 @@ class Horizon(ToolTest):
         for k in [0.13, 0.0, 0.2]:
             options = ["--azimuths", "4"] + ([] if k == 0.13 else ["--refraction", str(k)])
             curved = self.horizon(dem, *options)[1, 1, 0]
-            sink = (1.0 - k) * distance**2 / (2.0 * 6.371e6)
-            expected = np.degrees(np.arctan((1000.0 - sink) / distance))
+            drop = (1.0 - k) * distance**2 / (2.0 * 6.371e6)
+            expected = np.degrees(np.arctan((1000.0 - drop) / distance))
             # The local radius at 46 degrees differs from 6371 km by less than 0.5 %.
             self.assertAlmostEqual(curved, expected, delta=1e-3)
         flat = self.horizon(dem, "--azimuths", "4", "--flat")[1, 1, 0]

@@ -2,8 +2,8 @@
 #include "Commands.h"
 
 #include "Files.h"
-#include "IdleOptions.h"
 #include "Options.h"
+#include "UnusedOptions.h"
 
 #include "vtkHeightFieldHorizon.h"
 #include "vtkImageData.h"
@@ -21,7 +21,7 @@ struct HorizonCommand
   skyline::HorizonOptions Horizon;
   skyline::CommonOptions Common;
 
-  void Check(const skyline::IdleOptions& options) const { this->Horizon.RefuseIdle(options); }
+  void Check(const skyline::UnusedOptions& options) const { this->Horizon.RefuseIdle(options); }
 
   void Run() const
   {
@@ -59,7 +59,7 @@ void AddHorizon(CLI::App& program)
   app->callback(
     [command, app]
     {
-      command->Check(IdleOptions(*app));
+      command->Check(UnusedOptions(*app));
       command->Run();
     });
 }

@@ -2,11 +2,11 @@
 #include "Commands.h"
 
 #include "Files.h"
-#include "IdleOptions.h"
 #include "LightOptions.h"
 #include "Lights.h"
 #include "Options.h"
 #include "Shared/Constants.h"
+#include "UnusedOptions.h"
 #include "Values.h"
 
 #include "vtkHeightFieldIrradiance.h"
@@ -45,7 +45,7 @@ struct IrradianceCommand
     return !this->Lights.Sky && others ? skyline::SkyKind::None : this->Lights.KindOfSky();
   }
 
-  void Check(const skyline::IdleOptions& options) const
+  void Check(const skyline::UnusedOptions& options) const
   {
     using skyline::SkyKind;
     const SkyKind kind = this->Kind();
@@ -158,7 +158,7 @@ void AddIrradiance(CLI::App& program)
   app->callback(
     [command, app]
     {
-      command->Check(IdleOptions(*app));
+      command->Check(UnusedOptions(*app));
       command->Run();
     });
 }

@@ -4,7 +4,6 @@
 #include "Color/Daylight.h"
 #include "Failure.h"
 #include "Files.h"
-#include "IdleOptions.h"
 #include "LightOptions.h"
 #include "Lights.h"
 #include "LookOptions.h"
@@ -12,6 +11,7 @@
 #include "Perspective.h"
 #include "PicturePasses.h"
 #include "SunLight.h"
+#include "UnusedOptions.h"
 #include "Values.h"
 
 #include "vtkHeightFieldAlgorithm.h"
@@ -74,7 +74,7 @@ struct ShadeCommand
     }
   }
 
-  void Check(const skyline::IdleOptions& options) const
+  void Check(const skyline::UnusedOptions& options) const
   {
     using skyline::PictureFormat;
     using skyline::SkyKind;
@@ -245,7 +245,7 @@ void AddShade(CLI::App& program)
   app->callback(
     [command, app]
     {
-      command->Check(IdleOptions(*app));
+      command->Check(UnusedOptions(*app));
       command->Run();
     });
 }

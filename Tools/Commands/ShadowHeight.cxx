@@ -2,10 +2,10 @@
 #include "Commands.h"
 
 #include "Files.h"
-#include "IdleOptions.h"
 #include "LightOptions.h"
 #include "Options.h"
 #include "SunLight.h"
+#include "UnusedOptions.h"
 
 #include "vtkHeightFieldShadowHeight.h"
 #include "vtkImageData.h"
@@ -27,7 +27,7 @@ struct ShadowHeightCommand
   bool Soft = false;
   skyline::CommonOptions Common;
 
-  void Check(const skyline::IdleOptions& options) const
+  void Check(const skyline::UnusedOptions& options) const
   {
     this->Horizon.RefuseIdle(options);
     options.Refuse(!this->Soft, { "--sun-radius" },
@@ -96,7 +96,7 @@ void AddShadowHeight(CLI::App& program)
   app->callback(
     [command, app]
     {
-      command->Check(IdleOptions(*app));
+      command->Check(UnusedOptions(*app));
       command->Run();
     });
 }

@@ -2,8 +2,8 @@
 #include "Commands.h"
 
 #include "Files.h"
-#include "IdleOptions.h"
 #include "Options.h"
+#include "UnusedOptions.h"
 #include "Values.h"
 
 #include "vtkHeightFieldSkyView.h"
@@ -33,7 +33,7 @@ struct SkyViewCommand
   std::optional<double> EdgeDistance; // metres
   skyline::CommonOptions Common;
 
-  void Check(const skyline::IdleOptions& options) const
+  void Check(const skyline::UnusedOptions& options) const
   {
     this->Horizon.RefuseIdle(options);
     const bool trust = std::find(this->Quantities.begin(), this->Quantities.end(), "EdgeTrust") !=
@@ -121,7 +121,7 @@ void AddSkyView(CLI::App& program)
   app->callback(
     [command, app]
     {
-      command->Check(IdleOptions(*app));
+      command->Check(UnusedOptions(*app));
       command->Run();
     });
 }

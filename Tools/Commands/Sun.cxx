@@ -3,12 +3,12 @@
 
 #include "Failure.h"
 #include "Files.h"
-#include "IdleOptions.h"
 #include "LightOptions.h"
 #include "Options.h"
 #include "Sun/Eclipse.h"
 #include "Sun/UtcTime.h"
 #include "SunLight.h"
+#include "UnusedOptions.h"
 
 #include "Data/ImageGeoreference.h"
 #include "vtkHeightFieldSunShadow.h"
@@ -87,7 +87,7 @@ struct SunCommand
     skyline::WriteRaster(shadow, { "SunVisibility" }, this->Output, this->Common);
   }
 
-  void Check(const skyline::IdleOptions& options) const
+  void Check(const skyline::UnusedOptions& options) const
   {
     this->Horizon.RefuseIdle(options);
     skyline::RefuseIdleSun(this->Sun, options);
@@ -139,7 +139,7 @@ void AddSun(CLI::App& program)
   app->callback(
     [command, app]
     {
-      command->Check(IdleOptions(*app));
+      command->Check(UnusedOptions(*app));
       command->Run();
     });
 }

@@ -2,11 +2,11 @@
 #include "Commands.h"
 
 #include "Failure.h"
-#include "IdleOptions.h"
 #include "LightOptions.h"
 #include "LookOptions.h"
 #include "Options.h"
 #include "Perspective.h"
+#include "UnusedOptions.h"
 
 #include "GlfwWindow.h"
 #include "Viewer.h"
@@ -42,7 +42,7 @@ struct ViewCommand
   skyline::PerspectiveOptions Perspective;
   skyline::CommonOptions Common;
 
-  void Check(const skyline::IdleOptions& options) const
+  void Check(const skyline::UnusedOptions& options) const
   {
     this->Options.Horizon.RefuseIdle(options);
     skyline::RefuseIdleSun(this->Options.Lights.Sun, options);
@@ -96,7 +96,7 @@ void AddView(CLI::App& program)
   app->callback(
     [command, app]
     {
-      command->Check(IdleOptions(*app));
+      command->Check(UnusedOptions(*app));
       command->Run();
     });
 }

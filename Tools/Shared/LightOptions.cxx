@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightOptions.h"
 
-#include "IdleOptions.h"
 #include "Shared/Constants.h"
 #include "Sun/UtcTime.h"
+#include "UnusedOptions.h"
 #include "Values.h"
 
 #include "vtkSkylineSunLight.h"
@@ -140,7 +140,7 @@ void AddSunOptions(CLI::App& command, SunDescription& sun, bool limbDarkening)
   }
 }
 
-void RefuseIdleSun(const SunDescription& sun, const IdleOptions& options)
+void RefuseIdleSun(const SunDescription& sun, const UnusedOptions& options)
 {
   options.Refuse(sun.Radius == 0.0, { "--limb-darkening" },
     "a sun of --sun-radius 0 is a point without a limb; leave one of the two out");
@@ -215,7 +215,7 @@ void AddLampOptions(CLI::App& command, LightDescription& lights, bool picture)
     ->delimiter('\0');
 }
 
-void RefuseIdleLights(const LightDescription& lights, const IdleOptions& options, SkyKind kind,
+void RefuseIdleLights(const LightDescription& lights, const UnusedOptions& options, SkyKind kind,
   bool sunShines, bool keyLight)
 {
   RefuseIdleSun(lights.Sun, options);

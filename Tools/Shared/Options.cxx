@@ -2,7 +2,7 @@
 #include "Options.h"
 
 #include "Data/ImageGeoreference.h"
-#include "IdleOptions.h"
+#include "UnusedOptions.h"
 #include "Values.h"
 
 #include "vtkImageData.h"
@@ -126,7 +126,7 @@ void HorizonOptions::AddTo(CLI::App& command, const HorizonNeeds& needs)
   }
 }
 
-void HorizonOptions::RefuseIdle(const IdleOptions& options) const
+void HorizonOptions::RefuseIdle(const UnusedOptions& options) const
 {
   const bool triangles = this->Method == "sweep" || this->Method == "pyramid";
   options.Refuse(triangles && this->Surface != "triangles", { "--surface" },

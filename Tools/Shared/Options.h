@@ -21,7 +21,7 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-class IdleOptions;
+class UnusedOptions;
 
 /// --allow-network, --allow-elsewhere, --driver: what a file may lead to.
 struct SourceOptions
@@ -81,7 +81,7 @@ struct HorizonOptions
   void AddTo(CLI::App& command, const HorizonNeeds& needs = {});
 
   /// Throws WrongUsage for options that have no effect. To be called before any work.
-  void RefuseIdle(const IdleOptions& options) const;
+  void RefuseIdle(const UnusedOptions& options) const;
 
   /// Warns of options that have no effect on this terrain.
   void WarnIdle(vtkImageData* terrain, const CommonOptions& common) const;

@@ -55,7 +55,7 @@ struct Messages
   }
 };
 
-Messages& Heard()
+Messages& KeptMessages()
 {
   static Messages messages;
   return messages;
@@ -68,23 +68,23 @@ public:
   static SilentWindow* New();
   vtkTypeMacro(SilentWindow, vtkOutputWindow);
   void DisplayText(const char*) override {}
-  void DisplayErrorText(const char* text) override { Heard().KeepError(text); }
-  void DisplayWarningText(const char* text) override { Heard().KeepWarning(text); }
-  void DisplayGenericWarningText(const char* text) override { Heard().KeepWarning(text); }
+  void DisplayErrorText(const char* text) override { KeptMessages().KeepError(text); }
+  void DisplayWarningText(const char* text) override { KeptMessages().KeepWarning(text); }
+  void DisplayGenericWarningText(const char* text) override { KeptMessages().KeepWarning(text); }
   void DisplayDebugText(const char*) override {}
 };
 vtkStandardNewMacro(SilentWindow);
 
 // A progress bar in one line of the terminal.
-class Bar
+class ProgressBar
 {
 public:
-  Bar(const std::string& title, bool shown)
+  ProgressBar(const std::string& title, bool shown)
     : Title(title)
     , Shown(shown)
   {
   }
-  ~Bar()
+  ~ProgressBar()
   {
     if (this->Percent >= 0)
     {
@@ -139,19 +139,19 @@ int CountThreads(int wanted)
 }
 
 // Observes one algorithm.
-class Watch : public vtkCommand
+class MessageObserver : public vtkCommand
 {
 public:
-  static Watch* New() { return new Watch; }
+  static MessageObserver* New() { return new MessageObserver; }
   void Execute(vtkObject* caller, unsigned long event, void* data) override
   {
     switch (event)
     {
       case vtkCommand::ErrorEvent:
-        Heard().KeepError(static_cast<const char*>(data));
+        KeptMessages().KeepError(static_cast<const char*>(data));
         break;
       case vtkCommand::WarningEvent:
-        Heard().KeepWarning(static_cast<const char*>(data));
+        KeptMessages().KeepWarning(static_cast<const char*>(data));
         break;
       default:
         if (vtkAlgorithm* algorithm = vtkAlgorithm::SafeDownCast(caller))
@@ -165,7 +165,7 @@ public:
         }
     }
   }
-  Bar* Progress = nullptr;
+  ProgressBar* Progress = nullptr;
 };
 
 } // namespace
@@ -212,11 +212,11 @@ void RunPass(vtkAlgorithm* algorithm, const std::string& title, const CommonOpti
   const std::function<void()>& update)
 {
   StopIfInterrupted();
-  Heard() = Messages();
+  KeptMessages() = Messages();
   const auto start = std::chrono::steady_clock::now();
   {
-    Bar bar(title, !common.Quiet && isatty(STDERR_FILENO) != 0);
-    vtkNew<Watch> watch;
+    ProgressBar bar(title, !common.Quiet && isatty(STDERR_FILENO) != 0);
+    vtkNew<MessageObserver> watch;
     watch->Progress = &bar;
     algorithm->AddObserver(vtkCommand::ErrorEvent, watch);
     algorithm->AddObserver(vtkCommand::WarningEvent, watch);
@@ -238,15 +238,15 @@ void RunPass(vtkAlgorithm* algorithm, const std::string& title, const CommonOpti
   {
     StopIfInterrupted();
   }
-  if (!Heard().Error.empty())
+  if (!KeptMessages().Error.empty())
   {
-    throw Failure(Heard().Error);
+    throw Failure(KeptMessages().Error);
   }
   if (algorithm->GetErrorCode() != vtkErrorCode::NoError)
   {
     throw Failure(title + " failed, and gives no reason");
   }
-  for (const std::string& warning : Heard().Warnings)
+  for (const std::string& warning : KeptMessages().Warnings)
   {
     PrintWarning(warning, common);
   }

@@ -15,7 +15,7 @@ std::string WhyNotWithin(const std::string& text, const Limits& limits)
   const std::string cure = std::string("; give ") + limits.Words;
   if (!number)
   {
-    return WhyNoNumber(text) + cure;
+    return NumberError(text) + cure;
   }
   const bool low = limits.LeastOut ? *number <= limits.Least : *number < limits.Least;
   const bool high = limits.MostOut ? *number >= limits.Most : *number > limits.Most;
@@ -29,7 +29,7 @@ std::string WhyNotWhole(const std::string& text, int least, int most)
   const auto number = ReadNumber(text);
   if (!number)
   {
-    return WhyNoNumber(text) + cure;
+    return NumberError(text) + cure;
   }
   if (*number != std::floor(*number))
   {

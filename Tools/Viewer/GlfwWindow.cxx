@@ -53,7 +53,7 @@ skyline::Modifiers ModifiersOf(int bits)
 }
 
 // Pixels of the framebuffer per unit of the window.
-double PixelsAUnit(GLFWwindow* window)
+double PixelsPerUnit(GLFWwindow* window)
 {
   int units = 0;
   int pixels = 0;
@@ -128,7 +128,7 @@ void OnMove(GLFWwindow* window, double x, double y)
   int width = 0;
   int height = 0;
   glfwGetFramebufferSize(window, &width, &height);
-  const double pixels = PixelsAUnit(window);
+  const double pixels = PixelsPerUnit(window);
   ViewerOf(window)->MouseMove(x * pixels, height - 1.0 - y * pixels);
 }
 

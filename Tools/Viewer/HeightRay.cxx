@@ -12,7 +12,7 @@
 namespace
 {
 
-constexpr double SamplesAPost = 2.0;
+constexpr double SamplesPerPost = 2.0;
 constexpr double MostSamples = 100000.0;
 constexpr int Halvings = 8;
 
@@ -99,7 +99,7 @@ bool FindGround(vtkImageData* terrain, double exaggeration, const ScenePoint& fr
   const double posts =
     (last - first) * std::hypot((to[0] - from[0]) / spacing[0], (to[1] - from[1]) / spacing[1]);
   const int samples =
-    2 + static_cast<int>(std::min(SamplesAPost * posts, MostSamples)); // NaN is excluded above
+    2 + static_cast<int>(std::min(SamplesPerPost * posts, MostSamples)); // NaN is excluded above
   const auto depth = [&](double part)
   {
     const ScenePoint point = Between(from, to, part);

@@ -228,12 +228,12 @@ void Hud::Show(const HudContent& content, const HudLayout& layout)
   }
   this->North->SetVisibility(layout.Arrow);
 
-  const double length = layout.Bar ? RoundLength(layout.LongestBar * content.MetresAPixel) : 0.0;
+  const double length = layout.Bar ? RoundLength(layout.LongestBar * content.MetresPerPixel) : 0.0;
   this->Write(this->Bar, length > 0.0 ? LengthText(length) : std::string(), layout.BarRight[0],
     layout.BarRight[1] + 0.75 * margin, size);
   if (length > 0.0)
   {
-    const double pixels = length / content.MetresAPixel;
+    const double pixels = length / content.MetresPerPixel;
     const double left = layout.BarRight[0] - pixels;
     canvas.Box({ left - unit, layout.BarRight[1] - unit, pixels + 2.0 * unit, 7.0 * unit }, Dark);
     canvas.Box({ left, layout.BarRight[1], pixels, 5.0 * unit }, Light);

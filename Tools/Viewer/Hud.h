@@ -29,8 +29,8 @@ struct HudContent
   std::string Message;
   std::string Help; ///< in the middle of the window; empty: none
   std::array<ViewerSlider, ViewerState::Sliders> Sliders;
-  double Heading = 0.0;      ///< direction of view, degrees clockwise from north
-  double MetresAPixel = 0.0; ///< 0: no scale bar
+  double Heading = 0.0;        ///< direction of view, degrees clockwise from north
+  double MetresPerPixel = 0.0; ///< 0: no scale bar
 };
 
 /// Draws the display in a renderer of its own, for a layer above the picture.

@@ -40,7 +40,7 @@ constexpr double NearestPart = 1.0e-4;
 /// Least change of the exposure, in stops, for which the picture is made again.
 constexpr double LeastChange = 0.002;
 
-constexpr vtkIdType PixelsAPiece = 8192;
+constexpr vtkIdType PixelsPerPiece = 8192;
 
 // Makes a sphere of radius 1 seen from inside: u clockwise from the south, v up from the nadir.
 vtkSmartPointer<vtkPolyData> MakeSphere()
@@ -96,7 +96,7 @@ template <typename Value, typename Code>
 void Encode(const skyline::SkyImage& sky, Value* to, Code code)
 {
   const vtkIdType pixels = sky.Columns * sky.Rows;
-  vtkSMPTools::For(0, pixels, PixelsAPiece,
+  vtkSMPTools::For(0, pixels, PixelsPerPiece,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType pixel = first; pixel < last; ++pixel)

@@ -305,7 +305,7 @@ double TerrainScene::MetresAPixelAt(const ScenePoint& place) const
     std::max(size[1], 1);
 }
 
-double TerrainScene::GetMetresAPixel() const
+double TerrainScene::GetMetresPerPixel() const
 {
   const int* size = this->Renderer->GetSize();
   ScenePoint place;

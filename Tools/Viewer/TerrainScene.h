@@ -78,7 +78,7 @@ public:
 
   /// The width in metres that a pixel covers, on the ground in the middle of the picture or, if
   /// there is none, at the focus of the camera.
-  double GetMetresAPixel() const;
+  double GetMetresPerPixel() const;
 
 private:
   struct Mesh

@@ -258,7 +258,7 @@ HudContent Viewer::MakeHud()
     content.Sliders[k] = this->State.GetSlider(k);
   }
   content.Heading = this->Scene->GetHeading() + sun.TrueAzimuth - sun.GridAzimuth;
-  content.MetresAPixel = this->Scene->GetMetresAPixel();
+  content.MetresPerPixel = this->Scene->GetMetresPerPixel();
   return content;
 }
 

@@ -99,7 +99,7 @@ void ViewerMouse::MoveLamp(double rise, ViewerState& state) const
   ScenePoint place;
   if (this->Dragging == Drag::LampHeight)
   {
-    lamp.Height = std::max(0.0, lamp.Height + rise * this->Scene->GetMetresAPixel());
+    lamp.Height = std::max(0.0, lamp.Height + rise * this->Scene->GetMetresPerPixel());
   }
   else if (this->Scene->FindPlace(this->X + this->StartX, this->Y + this->StartY, place))
   {

@@ -9,15 +9,15 @@
 namespace
 {
 
-constexpr double MinutesAStep = 10.0;
-constexpr int DaysAJump = 30;
+constexpr double MinutesPerStep = 10.0;
+constexpr int DaysPerJump = 30;
 constexpr double AzimuthStep = 2.0;   // degrees
 constexpr double ElevationStep = 1.0; // degrees
 constexpr double FinePart = 0.1;
 constexpr double RotationStep = 10.0; // degrees
 constexpr double HeightFactor = 1.25;
 constexpr double LampFactor = 1.25;
-constexpr double StopsAStep = 1.0 / 3.0;
+constexpr double StopsPerStep = 1.0 / 3.0;
 constexpr double GreatestStops = 12.0;
 constexpr double LowestSun = -20.0;    // degrees: night
 constexpr double HighestSun = 90.0;    // degrees
@@ -34,7 +34,7 @@ void ViewerState::StepAcross(double steps, bool fine)
   const double part = fine ? FinePart * steps : steps;
   if (this->ByTime)
   {
-    this->Clock.AddMinutes(MinutesAStep * part);
+    this->Clock.AddMinutes(MinutesPerStep * part);
   }
   else
   {
@@ -46,7 +46,7 @@ void ViewerState::StepUp(int steps, bool shift)
 {
   if (this->ByTime)
   {
-    this->Clock.AddDays(shift ? DaysAJump * steps : steps);
+    this->Clock.AddDays(shift ? DaysPerJump * steps : steps);
   }
   else
   {
@@ -134,8 +134,8 @@ ViewerRequest ViewerState::Press(int key, const Modifiers& with)
     case '-':
     case '=':
     case '+':
-      this->Exposure = std::clamp(
-        this->Exposure + (key == '-' ? -StopsAStep : StopsAStep), -GreatestStops, GreatestStops);
+      this->Exposure = std::clamp(this->Exposure + (key == '-' ? -StopsPerStep : StopsPerStep),
+        -GreatestStops, GreatestStops);
       return ViewerRequest::Changed;
     case 'A':
       this->FixedStops = this->AutoExposure ? this->MeteredStops : this->FixedStops;

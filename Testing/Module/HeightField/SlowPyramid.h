@@ -152,7 +152,7 @@ inline double SlowHorizon(const oracle::OracleField& field, const std::vector<Sl
       if (known >= 0.5 && plane.Part(column, row) >= 1e-6)
       {
         const double here = plane.Value(column, row) / plane.Part(column, row);
-        const double slope = (there / known - here) / distance - field.Sink * distance;
+        const double slope = (there / known - here) / distance - field.CurvatureDrop * distance;
         angle = std::max(0.0, std::atan(slope));
       }
     }

@@ -23,7 +23,7 @@ std::vector<float> ExactSlopes(const oracle::OracleField& field, double azimuth)
   const HeightField posts = FieldOf(field);
   HorizonSettings settings;
   settings.Shape = field.Through;
-  settings.Sink = field.Sink;
+  settings.CurvatureDrop = field.CurvatureDrop;
   return Slopes(*MakeHorizonMethod(posts, settings), GridOf(field), azimuth);
 }
 

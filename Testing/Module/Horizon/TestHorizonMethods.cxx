@@ -54,8 +54,9 @@ const std::vector<Scene>& Scenes()
     { "ThousandToOne", [] { return With(Hills(), [](auto& f) { f.SpacingY = 30000.0; }); } },
     { "TinySpacing", [] { return With(shapes::Fractal(40, 50, 1e-6, 1e-4, 2), [](auto&) {}); } },
     { "HugeSpacing", [] { return shapes::Fractal(40, 50, 1e6, 9000.0, 2); } },
-    { "RoundBody", [] { return With(Hills(), [](auto& f) { f.Sink = 0.87 / 2.0 / 6371000.0; }); } },
-    { "SmallBody", [] { return With(Hills(), [](auto& f) { f.Sink = 1.0e-6; }); } },
+    { "RoundBody",
+      [] { return With(Hills(), [](auto& f) { f.CurvatureDrop = 0.87 / 2.0 / 6371000.0; }); } },
+    { "SmallBody", [] { return With(Hills(), [](auto& f) { f.CurvatureDrop = 1.0e-6; }); } },
     { "Walls", [] { return shapes::RandomBoxes(120, 110, 1.0, 60, 9, 30.0, 3); } },
     { "Plane", [] { return shapes::Plane(90, 70, 1.0, 0.3, 0.2); } },
     { "Flat", [] { return shapes::Plane(64, 64, 30.0, 0.0, 0.0); } },
@@ -130,7 +131,7 @@ TEST_P(HorizonOfScene, ExactEqualsTheOracleAndFastIsCertified)
   const HeightField posts = FieldOf(field);
   HorizonSettings settings;
   settings.Shape = field.Through;
-  settings.Sink = field.Sink;
+  settings.CurvatureDrop = field.CurvatureDrop;
   const auto exact = MakeHorizonMethod(posts, settings);
   settings.Method = HorizonMethodKind::Fast;
   const auto fast = MakeHorizonMethod(posts, settings);
@@ -295,11 +296,11 @@ TEST(HorizonSweep, IsExactAlongTheAxes)
   {
     oracle::OracleField field = shapes::Fractal(53, 61, 30.0, 1200.0, 21);
     field.SpacingX *= aspect;
-    field.Sink = aspect == 1.0 ? 0.0 : 1.0e-6;
+    field.CurvatureDrop = aspect == 1.0 ? 0.0 : 1.0e-6;
     const HeightField posts = FieldOf(field);
     HorizonSettings settings;
     settings.Method = HorizonMethodKind::Sweep;
-    settings.Sink = field.Sink;
+    settings.CurvatureDrop = field.CurvatureDrop;
     const auto sweep = MakeHorizonMethod(posts, settings);
     for (const double azimuth : { 0.0, 90.0, 180.0, 270.0 })
     {

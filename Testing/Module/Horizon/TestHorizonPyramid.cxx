@@ -20,12 +20,12 @@ namespace
 const std::vector<double> Azimuths{ 0.0, 10.0, 45.0, 63.4, 90.0, 100.0, 135.0, 180.0, 203.0, 270.0,
   359.99 };
 
-HorizonSettings Settings(const PyramidSettings& pyramid, double sink = 0.0)
+HorizonSettings Settings(const PyramidSettings& pyramid, double drop = 0.0)
 {
   HorizonSettings settings;
   settings.Method = HorizonMethodKind::Pyramid;
   settings.Pyramid = pyramid;
-  settings.Sink = sink;
+  settings.CurvatureDrop = drop;
   return settings;
 }
 
@@ -42,7 +42,7 @@ double Bound(const oracle::OracleField& field, const PyramidSettings& settings)
 void ExpectSlow(const oracle::OracleField& field, const PyramidSettings& settings)
 {
   const HeightField posts = FieldOf(field);
-  const auto method = MakeHorizonMethod(posts, Settings(settings, field.Sink));
+  const auto method = MakeHorizonMethod(posts, Settings(settings, field.CurvatureDrop));
   // The slow pyramid has no base height, so it is subtracted, as the fast one does.
   oracle::OracleField lowered = field;
   for (double& height : lowered.Heights)
@@ -97,7 +97,7 @@ TEST(HorizonPyramid, EqualsTheSlowVersionEverywhere)
   oracle::OracleField oblong = shapes::Fractal(47, 70, 30.0, 900.0, 3);
   oblong.SpacingX = 7.0;
   oracle::OracleField round = shapes::Fractal(50, 40, 5000.0, 900.0, 3);
-  round.Sink = 0.87 / 2.0 / 6371000.0;
+  round.CurvatureDrop = 0.87 / 2.0 / 6371000.0;
   oracle::OracleField holes = shapes::Fractal(61, 43, 30.0, 900.0, 7);
   shapes::RemoveIslands(holes, 12, 5, 3);
   for (const oracle::OracleField& field :

@@ -250,23 +250,23 @@ TEST(LampExtremes, TheBodySinksUnderLampAndTerrain)
 {
   // Seen from one post, curvature has the effect of a field and a lamp that are lowered by c d^2.
   oracle::OracleField round = Hills();
-  round.Sink = 1.0e-3; // a body of 500 m
+  round.CurvatureDrop = 1.0e-3; // a body of 500 m
   oracle::OracleField lowered = round;
-  lowered.Sink = 0.0;
+  lowered.CurvatureDrop = 0.0;
   const std::ptrdiff_t i0 = 9, j0 = 13;
   for (std::ptrdiff_t j = 0; j < 33; ++j)
   {
     for (std::ptrdiff_t i = 0; i < 33; ++i)
     {
       const double dx = 10.0 * static_cast<double>(i - i0), dy = 10.0 * static_cast<double>(j - j0);
-      lowered.At(i, j) -= round.Sink * (dx * dx + dy * dy);
+      lowered.At(i, j) -= round.CurvatureDrop * (dx * dx + dy * dy);
     }
   }
   const LampScene a(round), b(lowered);
   oracle::Ball ball{ { 230.0, 215.0, 95.0 }, 25.0 };
   const double found = a.Light(ball, true)[round.Index(i0, j0)];
   const double dx = 230.0 - 90.0, dy = 215.0 - 130.0;
-  ball.Centre.Z -= round.Sink * (dx * dx + dy * dy);
+  ball.Centre.Z -= round.CurvatureDrop * (dx * dx + dy * dy);
   const double truth = b.Light(ball, true)[round.Index(i0, j0)];
   EXPECT_GT(truth, 0.0);
   // Inside a cell the parabola lies c cell^2 / 4 = 0.025 m above its chord.

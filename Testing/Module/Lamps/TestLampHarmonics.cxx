@@ -25,7 +25,7 @@ std::vector<float> ByHarmonics(
   const LampScene& scene, const std::vector<oracle::Ball>& lamps, LampHarmonicSettings settings)
 {
   settings.Shape = scene.Settings.Shape;
-  settings.Sink = scene.Settings.Sink;
+  settings.CurvatureDrop = scene.Settings.CurvatureDrop;
   std::vector<float> rgb(3 * scene.East.size(), 0.0f);
   for (const oracle::Ball& ball : lamps)
   {

@@ -46,8 +46,9 @@ const std::vector<Scene>& Scenes()
     { "ThousandToOne", [] { return With(Hills(), [](auto& f) { f.SpacingY = 30000.0; }); } },
     { "TinySpacing", [] { return shapes::Fractal(40, 50, 1e-6, 1e-4, 2); } },
     { "HugeSpacing", [] { return shapes::Fractal(40, 50, 1e6, 9000.0, 2); } },
-    { "RoundBody", [] { return With(Hills(), [](auto& f) { f.Sink = 0.87 / 2.0 / 6371000.0; }); } },
-    { "SmallBody", [] { return With(Hills(), [](auto& f) { f.Sink = 1.0e-5; }); } },
+    { "RoundBody",
+      [] { return With(Hills(), [](auto& f) { f.CurvatureDrop = 0.87 / 2.0 / 6371000.0; }); } },
+    { "SmallBody", [] { return With(Hills(), [](auto& f) { f.CurvatureDrop = 1.0e-5; }); } },
     { "Walls", [] { return shapes::RandomBoxes(70, 60, 1.0, 20, 9, 30.0, 3); } },
     { "Plane", [] { return shapes::Plane(60, 50, 1.0, 0.3, 0.2); } },
     { "Flat", [] { return shapes::Plane(64, 64, 30.0, 0.0, 0.0); } },
@@ -130,7 +131,8 @@ TEST_P(ShadowHeightOfScene, IsThatOfTheOracle)
         {
           elevation = sample.Elevation;
           azimuth = sample.Azimuth;
-          ShadowHeightExact method(posts, ShadowSlope(elevation * RadiansPerDegree), field.Sink);
+          ShadowHeightExact method(
+            posts, ShadowSlope(elevation * RadiansPerDegree), field.CurvatureDrop);
           shadows = Slopes(method, GridOf(field), azimuth);
         }
         const float shadow = shadows[sample.Post];

@@ -138,7 +138,7 @@ TEST(LightAccumulator, RunsAndPlacesDoNotChangeBits)
       LightAccumulator sum(columns, rows, maps, LightAzimuths(8, maps), With(quadrature),
         east.data(), north.data(), light.data());
       shapes::Random slopes(seed);
-      for (const double azimuth : sum.FedAzimuths())
+      for (const double azimuth : sum.HorizonAzimuths())
       {
         std::vector<float> line(posts);
         for (float& slope : line)

@@ -114,7 +114,7 @@ TEST_F(ViewerTest, CameraTurnsAboutTheGroundInTheMiddle)
   this->DragTo(300, 200);
   this->Rest();
   ASSERT_TRUE(this->View->GetScene().FindPlace(0.5 * Width, 0.5 * Height, after));
-  const double pixel = this->View->GetScene().GetMetresAPixel();
+  const double pixel = this->View->GetScene().GetMetresPerPixel();
   EXPECT_LT(std::hypot(after[0] - before[0], after[1] - before[1]), 3.0 * pixel);
 }
 

@@ -204,7 +204,7 @@ TEST_F(ViewerSky, ScaleBarHoldsInTheMiddle)
   ASSERT_TRUE(this->View->GetScene().FindPlace(0.5 * Width + step, 0.5 * Height, east));
   const double across = std::abs(east[0] - west[0]); // the camera looks north
   EXPECT_NEAR(
-    this->View->GetHud().MetresAPixel, across / (2.0 * step), 0.03 * across / (2.0 * step));
+    this->View->GetHud().MetresPerPixel, across / (2.0 * step), 0.03 * across / (2.0 * step));
 }
 
 } // namespace

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "IdleOptions.h"
+#include "UnusedOptions.h"
 
 #include "Failure.h"
 
 namespace skyline
 {
 
-bool IdleOptions::Given(const std::string& option) const
+bool UnusedOptions::Given(const std::string& option) const
 {
   const CLI::Option* found = this->Command.get_option_no_throw(option);
   return found != nullptr && found->count() > 0;
 }
 
-void IdleOptions::Refuse(
+void UnusedOptions::Refuse(
   bool idle, std::initializer_list<const char*> options, const std::string& reason) const
 {
   for (const char* option : options)
@@ -24,7 +24,7 @@ void IdleOptions::Refuse(
   }
 }
 
-void IdleOptions::Warn(bool idle, std::initializer_list<const char*> options,
+void UnusedOptions::Warn(bool idle, std::initializer_list<const char*> options,
   const std::string& reason, const CommonOptions& common) const
 {
   for (const char* option : options)

@@ -14,10 +14,10 @@ namespace skyline
 {
 
 /// The options of one command line, after it was parsed and before any work.
-class IdleOptions
+class UnusedOptions
 {
 public:
-  explicit IdleOptions(const CLI::App& command)
+  explicit UnusedOptions(const CLI::App& command)
     : Command(command)
   {
   }
