@@ -6,6 +6,7 @@
 #include "Reference/LampOracle.h"
 #include "Reference/Shapes.h"
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -27,7 +28,7 @@ inline std::vector<ThesisScene> ThesisScenes(std::ptrdiff_t n)
 {
   const double spacing = 256.0 / static_cast<double>(n - 1);
   const auto posts = [&](double metres)
-  { return static_cast<std::ptrdiff_t>(metres / spacing + 0.5); };
+  { return static_cast<std::ptrdiff_t>(std::lround(metres / spacing)); };
   return {
     { "city", "6.3a", shapes::City(n, n, spacing, posts(20.0), posts(12.0), 40.0),
       { { { 70.0, 70.0, 25.0 }, 4.0 }, { { 166.0, 102.0, 20.0 }, 4.0 },

@@ -9,12 +9,12 @@
 
 #include "Reference/FieldImage.h"
 #include "Reference/Shapes.h"
+#include "SizeArgument.h"
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <iostream>
 #include <numeric>
 
@@ -89,7 +89,7 @@ void Measure(vtkOpenGLHeightFieldDevice* device, std::ptrdiff_t size, bool splin
 
 int main(int argc, char** argv)
 {
-  const std::ptrdiff_t largest = argc > 1 ? std::atoi(argv[1]) : 1024;
+  const std::ptrdiff_t largest = skyline::SizeArgument(argc, argv, 1, 1024);
   if (largest < 64 || largest > 8192)
   {
     std::cerr << "usage: SkylineGpuTimes [largest size, 64 to 8192]" << std::endl;

@@ -9,6 +9,7 @@
 #include "Reference/FieldImage.h"
 #include "Reference/LightOracle.h"
 #include "Reference/PublishedTable.h"
+#include "SizeArgument.h"
 #include "Sky/LightAzimuths.h"
 #include "Sky/SkyModel.h"
 
@@ -93,14 +94,6 @@ OwnedMap ReadMap(const std::string& file)
     std::copy_n(view.Pixel(row, 0), 3 * view.Columns, map.At(0, row));
   }
   return map;
-}
-
-/// Reads a whole number; false for other text.
-bool ReadNumber(const char* text, int& number)
-{
-  char* end = nullptr;
-  number = static_cast<int>(std::strtol(text, &end, 10));
-  return end != text && *end == '\0';
 }
 
 /// Prints median, 95th percentile and maximum.
@@ -292,14 +285,12 @@ int main(int argc, char** argv)
   using namespace skyline::testing;
   std::vector<int> part;
   int next = 3;
-  int number = 0;
-  while (next < argc && next < 7 && ReadNumber(argv[next], number))
+  for (; next < 7 && skyline::SizeArgument(argc, argv, next, -1) >= 0; ++next)
   {
-    part.push_back(number);
-    ++next;
+    part.push_back(skyline::SizeArgument(argc, argv, next, -1));
   }
-  int posts = 0;
-  if (argc < 3 || !ReadNumber(argv[2], posts) || (!part.empty() && part.size() != 4))
+  const int posts = skyline::SizeArgument(argc, argv, 2, -1);
+  if (posts < 1 || (!part.empty() && part.size() != 4))
   {
     std::fprintf(stderr, "usage: %s DEM POSTS [COLUMN ROW COLUMNS ROWS] [MAP]...\n", argv[0]);
     return 2;

@@ -5,6 +5,7 @@
 #include "Measure.h"
 #include "SceneImage.h"
 #include "Scenes.h"
+#include "SizeArgument.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
@@ -16,7 +17,6 @@
 #include "vtkSkylineSunLight.h"
 
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -238,7 +238,7 @@ int Check(const std::string& file)
 int main(int argc, char** argv)
 {
   const std::string task = argc > 2 ? argv[1] : "";
-  const int size = argc > 3 ? std::atoi(argv[3]) : 512;
+  const int size = skyline::SizeArgument(argc, argv, 3, 512);
   if ((task != "--write" && task != "--check") || size < SmallSize)
   {
     std::cerr << "usage: SkylineLeaveOut --write|--check FILE [SIZE, 64 or more]" << std::endl;

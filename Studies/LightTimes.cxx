@@ -5,6 +5,7 @@
 //   SkylineLightTimes [largest side in posts, default 1024] [largest on the graphics processor, default 512]
 #include "Reference/FieldImage.h"
 #include "Reference/Shapes.h"
+#include "SizeArgument.h"
 
 #include "vtkHeightFieldHorizon.h"
 #include "vtkHeightFieldIrradiance.h"
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <vector>
 
@@ -126,8 +126,15 @@ void Sweeps(
 
 int main(int argc, char** argv)
 {
-  const int largest = argc > 1 ? std::atoi(argv[1]) : 1024;
-  const int most = argc > 2 ? std::atoi(argv[2]) : 512;
+  const int largest = SizeArgument(argc, argv, 1, 1024);
+  const int most = SizeArgument(argc, argv, 2, 512);
+  if (largest < 256 || most < 0)
+  {
+    std::fprintf(stderr,
+      "usage: SkylineLightTimes [largest size, 256 or more [largest size of sweeps "
+      "on the GPU]]\n");
+    return 2;
+  }
   std::printf("what,scene,posts per side,azimuths,CPU seconds,ns per post and azimuth\n");
   vtkNew<vtkOpenGLHeightFieldDevice> device;
   const bool there = device->IsAvailable();

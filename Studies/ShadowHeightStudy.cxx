@@ -5,6 +5,7 @@
 #include "Reference/OracleTerrain.h"
 #include "ShadowHeight/ShadowHeight.h"
 #include "ShadowHeight/ShadowHeightSweep.h"
+#include "SizeArgument.h"
 
 #include <algorithm>
 #include <cmath>
@@ -125,7 +126,12 @@ void Misses(const char* name, const oracle::OracleField& field, double elevation
 
 int main(int argc, char** argv)
 {
-  const std::ptrdiff_t largest = argc > 1 ? std::atoi(argv[1]) : 2048;
+  const std::ptrdiff_t largest = SizeArgument(argc, argv, 1, 2048);
+  if (largest < 256)
+  {
+    std::fprintf(stderr, "usage: SkylineShadowHeightStudy [largest size, 256 or more]\n");
+    return 2;
+  }
   std::printf("ns per post | side | elevation | published | exact | exact horizon\n");
   for (std::ptrdiff_t side = 256; side <= largest; side *= 2)
   {

@@ -6,11 +6,11 @@
 #include "Horizon/HorizonPyramid.h"
 #include "Reference/KeyLight.h"
 #include "Reference/OracleTerrain.h"
+#include "SizeArgument.h"
 
 #include "hwy/targets.h"
 
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <iostream>
 
@@ -157,7 +157,7 @@ void Measure(std::ptrdiff_t size)
 
 int main(int argc, char** argv)
 {
-  const std::ptrdiff_t largest = argc > 1 ? std::atoi(argv[1]) : 1024;
+  const std::ptrdiff_t largest = SizeArgument(argc, argv, 1, 1024);
   if (largest < 64 || largest > 8192)
   {
     std::cerr << "usage: SkylineSoftShadowTimes [largest size, 64 to 8192]" << std::endl;

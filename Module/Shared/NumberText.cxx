@@ -94,7 +94,7 @@ std::string NumberError(const std::string& text)
         : "");
 }
 
-std::string WhyNoNumbers(const std::string& text, char separator)
+std::string NumbersError(const std::string& text, char separator)
 {
   for (const std::string& part : Split(text, separator))
   {

@@ -28,7 +28,7 @@ SKYLINECORE_EXPORT std::string NumberError(const std::string& text);
 
 /// The same for a list of numbers: the reason for the first part that is not a number. Empty if all
 /// are numbers.
-SKYLINECORE_EXPORT std::string WhyNoNumbers(const std::string& text, char separator = ',');
+SKYLINECORE_EXPORT std::string NumbersError(const std::string& text, char separator = ',');
 
 /// A number in the form that messages and the help use.
 SKYLINECORE_EXPORT std::string NumberText(double number);

@@ -32,7 +32,7 @@ std::vector<double> ParseNumbers(const std::string& text, const std::string& cur
   const auto numbers = ReadNumbers(text);
   if (!numbers)
   {
-    throw std::invalid_argument(WhyNoNumbers(text) + cure);
+    throw std::invalid_argument(NumbersError(text) + cure);
   }
   return *numbers;
 }

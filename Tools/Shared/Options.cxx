@@ -24,7 +24,7 @@ std::string CheckNodata(const std::string& text)
 {
   const bool special = text == "nan" || text == "inf" || text == "-inf";
   return special || skyline::ReadNumber(text) ? ""
-                                              : skyline::WhyNoNumbers(text) +
+                                              : skyline::NumbersError(text) +
       "; give the value of posts without a height, as in -9999 or nan";
 }
 

@@ -51,7 +51,7 @@ std::string CheckFrom(const std::string& text)
   const auto numbers = skyline::ReadNumbers(text);
   if (!numbers || numbers->size() != 2)
   {
-    return (numbers ? text + " is no direction" : skyline::WhyNoNumbers(text)) +
+    return (numbers ? text + " is no direction" : skyline::NumbersError(text)) +
       "; give two numbers AZ,EL";
   }
   return (*numbers)[1] < 0.0 || (*numbers)[1] > 90.0
