@@ -153,7 +153,7 @@ SKYLINE_INLINE void CrossLine(const RayFrame& frame, std::ptrdiff_t line, const 
 
     const bool next = step.Next != 0;
     const bool fromLead = next || frame.Against;
-    const Edge row{ p.FarTrail, p.FarLead, step.RowTrail, step.RowLead, step.RowSink };
+    const Edge row{ p.FarTrail, p.FarLead, step.RowTrail, step.RowLead, step.RowDrop };
     const Edge middle{ fromLead ? p.NearLead : p.NearTrail, fromLead ? p.FarTrail : p.FarLead,
       step.MidNear, step.MidFar, step.MidDrop };
     const bool sides = next && frame.Against;
@@ -171,7 +171,7 @@ SKYLINE_INLINE void CrossLine(const RayFrame& frame, std::ptrdiff_t line, const 
       continue;
     }
     const Edge entry = d > 1
-      ? Edge{ p.NearTrail, p.NearLead, before.RowTrail, before.RowLead, before.RowSink }
+      ? Edge{ p.NearTrail, p.NearLead, before.RowTrail, before.RowLead, before.RowDrop }
       : middle;
     if (next)
     {
@@ -185,7 +185,7 @@ SKYLINE_INLINE void CrossLine(const RayFrame& frame, std::ptrdiff_t line, const 
     {
       // A ray through a post meets the cells around it. Posts that belong to no cell are missing in
       // the plane.
-      const Edge post{ p.FarTrail, p.FarTrail, step.RowTrail, 0.0f, step.RowSink };
+      const Edge post{ p.FarTrail, p.FarTrail, step.RowTrail, 0.0f, step.RowDrop };
       Raise(r, post, post);
     }
   }

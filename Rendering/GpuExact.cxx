@@ -36,7 +36,7 @@ GpuTexture StepTable(GpuDevice& device, const RayFrame& frame)
     const RayStep& step = frame.Steps[d];
     const SideStep& side = frame.Sides[d];
     const float numbers[16] = { static_cast<float>(step.Lane), static_cast<float>(step.Next),
-      step.RowTrail, step.RowLead, step.RowSink, step.MidNear, step.MidFar, step.MidDrop,
+      step.RowTrail, step.RowLead, step.RowDrop, step.MidNear, step.MidFar, step.MidDrop,
       side.LeftNear, side.LeftFar, side.LeftDrop, 0.0f, side.RightNear, side.RightFar,
       side.RightDrop, 0.0f };
     texel = std::copy(numbers, numbers + 16, texel);

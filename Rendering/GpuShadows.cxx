@@ -46,7 +46,7 @@ GpuTexture StepTable(GpuDevice& device, const RayFrame& frame)
     const RayStep& step = frame.Steps[d];
     const SideStep& side = frame.Sides[d];
     const float numbers[15] = { static_cast<float>(step.Lane), static_cast<float>(step.Next),
-      step.RowTrail, step.RowLead, step.RowSink, step.MidNear, step.MidFar, step.MidDrop,
+      step.RowTrail, step.RowLead, step.RowDrop, step.MidNear, step.MidFar, step.MidDrop,
       side.LeftNear, side.LeftFar, side.LeftDrop, 0.0f, side.RightNear, side.RightFar,
       side.RightDrop };
     std::copy(numbers, numbers + 15, texel);

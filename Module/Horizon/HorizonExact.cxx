@@ -264,7 +264,7 @@ private:
     const std::ptrdiff_t from = segment * Lines - this->Line;
     const std::ptrdiff_t at = this->Lane + this->State.EntryLane(from);
     return this->Test.MayGain(this->State.Bounds.Level(segment) + at,
-      this->State.Bounds.Tilted(segment) + at, static_cast<float>(from), this->State.SinkAt(from));
+      this->State.Bounds.Tilted(segment) + at, static_cast<float>(from), this->State.DropAt(from));
   }
 
   /// Bits of the groups begin .. end (at most 64) that may raise the horizon. There is one branch
@@ -284,7 +284,7 @@ private:
       const std::ptrdiff_t at = this->Lane + this->State.EntryLane(from);
       const bool may = this->Test.MayGain(this->State.Bounds.GroupLevel(group) + at,
         this->State.Bounds.GroupTilted(group) + at, static_cast<float>(from),
-        this->State.SinkAt(from));
+        this->State.DropAt(from));
       bits |= static_cast<Bits>(may) << (group - begin);
     }
     return bits;
@@ -355,7 +355,7 @@ template <Walk Kind>
 void FindTriangles(const ExactState& state, const FindTask& task)
 {
   const bool holed = !state.Holes.Empty();
-  if (state.Frame->SinkPerLine2 == 0.0f)
+  if (state.Frame->DropPerLine2 == 0.0f)
   {
     holed ? FindLanes<Kind, Body::Flat, true>(state, task)
           : FindLanes<Kind, Body::Flat, false>(state, task);

@@ -122,9 +122,9 @@ struct ExactState
     return this->Frame->Drift > 0 ? whole : -whole - 1;
   }
   /// Metres by which curvature and refraction lower a post `from` lines ahead.
-  float SinkAt(std::ptrdiff_t from) const
+  float DropAt(std::ptrdiff_t from) const
   {
-    return this->Frame->SinkPerLine2 * static_cast<float>(from) * static_cast<float>(from);
+    return this->Frame->DropPerLine2 * static_cast<float>(from) * static_cast<float>(from);
   }
 
   /// Range of lanes of the bounds that the receivers need for a segment or group whose near edge is

@@ -25,7 +25,7 @@ struct Weights
 };
 
 // Weights for a crossing at the fraction `t` of the way from line D - 1 to line D.
-Weights Between(double t, double lineBefore, double sinkPerLine2)
+Weights Between(double t, double lineBefore, double dropPerLine2)
 {
   const double distance = lineBefore + t;
   if (!(distance > 0.0))
@@ -33,7 +33,7 @@ Weights Between(double t, double lineBefore, double sinkPerLine2)
     return { 0.0f, 0.0f, -MissingHeight }; // the receiver itself
   }
   return { static_cast<float>((1.0 - t) / distance), static_cast<float>(t / distance),
-    static_cast<float>(sinkPerLine2 * distance) };
+    static_cast<float>(dropPerLine2 * distance) };
 }
 
 // An azimuth in degrees. Simple fractions of a degree, which radians round, are restored.
@@ -113,13 +113,13 @@ RayFrame::RayFrame(const HeightField& field, const Grid& grid, double azimuth, d
   this->Slant = std::nearbyint(std::abs(across / along) / SlantUnit) * SlantUnit;
   this->Drift = across < 0.0 && this->Slant > 0.0 ? -1 : 1;
   this->Against = this->Reversed != (this->Drift < 0);
-  const double sinkPerLine2 = drop * this->StepLength * this->StepLength;
-  this->SinkPerLine2 = static_cast<float>(sinkPerLine2);
+  const double dropPerLine2 = drop * this->StepLength * this->StepLength;
+  this->DropPerLine2 = static_cast<float>(dropPerLine2);
 
-  this->FillSteps(sinkPerLine2);
+  this->FillSteps(dropPerLine2);
 }
 
-void RayFrame::FillSteps(double sinkPerLine2)
+void RayFrame::FillSteps(double dropPerLine2)
 {
   this->Steps.resize(static_cast<std::size_t>(this->Lines));
   this->Sides.resize(this->Steps.size());
@@ -140,15 +140,15 @@ void RayFrame::FillSteps(double sinkPerLine2)
     step.Next = whole > wholeBefore ? 1 : 0;
     step.RowTrail = static_cast<float>((1.0 - part) / line);
     step.RowLead = static_cast<float>(part / line);
-    step.RowSink = static_cast<float>(sinkPerLine2 * line);
+    step.RowDrop = static_cast<float>(dropPerLine2 * line);
 
     const double before = line - 1.0;
     double middle = 0.0;
     if (step.Next != 0)
     {
       middle = (1.0 - partBefore) / this->Slant;
-      const Weights left = Between((1.0 - partBefore) / (1.0 + this->Slant), before, sinkPerLine2);
-      const Weights right = Between((2.0 - partBefore) / (1.0 + this->Slant), before, sinkPerLine2);
+      const Weights left = Between((1.0 - partBefore) / (1.0 + this->Slant), before, dropPerLine2);
+      const Weights right = Between((2.0 - partBefore) / (1.0 + this->Slant), before, dropPerLine2);
       side.LeftNear = left.Near;
       side.LeftFar = left.Far;
       side.LeftDrop = left.Drop;
@@ -164,7 +164,7 @@ void RayFrame::FillSteps(double sinkPerLine2)
     {
       middle = partBefore / (1.0 - this->Slant);
     }
-    const Weights mid = Between(middle, before, sinkPerLine2);
+    const Weights mid = Between(middle, before, dropPerLine2);
     step.MidNear = mid.Near;
     step.MidFar = mid.Far;
     step.MidDrop = mid.Drop;

@@ -41,7 +41,7 @@ struct RayStep
   std::int32_t Lane;                ///< lane of the trail post on line D, relative to that of the
                                     ///< receiver
   std::int32_t Next;                ///< 1: in this step the ray crosses to the next column of cells
-  float RowTrail, RowLead, RowSink; ///< the edge from trail to lead on line D
+  float RowTrail, RowLead, RowDrop; ///< the edge from trail to lead on line D
   float MidNear, MidFar, MidDrop; ///< between the lines, weights of the posts on lines D - 1 and D:
                                   ///< the cell's diagonal, or the column edge if Next
 };
@@ -83,7 +83,7 @@ public:
   double Slant = 0.0;             ///< lanes of drift per line, 0 to 1
   double StepLength = 1.0;        ///< metres along the ray per line
   bool Against = false;           ///< the diagonals run against the drift
-  float SinkPerLine2 = 0.0f;      ///< drop in metres per squared number of lines
+  float DropPerLine2 = 0.0f;      ///< drop in metres per squared number of lines
   std::vector<RayStep> Steps;     ///< [D] for D = 1 .. Lines - 1; [0] is all zero
   std::vector<SideStep> Sides;    ///< likewise
   std::vector<StepPlace> Places;  ///< likewise
@@ -105,7 +105,7 @@ public:
   }
 
 private:
-  void FillSteps(double sinkPerLine2);
+  void FillSteps(double dropPerLine2);
 };
 
 } // namespace skyline

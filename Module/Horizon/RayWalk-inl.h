@@ -144,7 +144,7 @@ HWY_INLINE Vector InsidePatch(Mask complete, Vector best, const RayFrame& frame,
   const Lanes tag;
   const Vector t0 = hn::Set(tag, static_cast<float>(lineIn));
   const Vector t1 = hn::Set(tag, static_cast<float>(lineOut));
-  const Vector drop = hn::Set(tag, frame.SinkPerLine2);
+  const Vector drop = hn::Set(tag, frame.DropPerLine2);
   const Vector bend = hn::MulSub(hn::Set(tag, static_cast<float>(frame.Slant)), twist, drop);
   const Vector low = hn::NegMulAdd(drop, hn::Mul(t0, t0), in);
   const Vector high = hn::NegMulAdd(drop, hn::Mul(t1, t1), out);
@@ -208,7 +208,7 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
     trailBefore = Sub(Load(before), heights);
     leadBefore = Sub(Load(before + drift), heights);
     best =
-      Max(best, Edge<Shape>(step.RowTrail, trailBefore, step.RowLead, leadBefore, step.RowSink));
+      Max(best, Edge<Shape>(step.RowTrail, trailBefore, step.RowLead, leadBefore, step.RowDrop));
     line += frame.LineStride;
     ++first;
   }
@@ -222,7 +222,7 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
     // step.
     if constexpr (Kind == Walk::Along)
     {
-      const Block row = Edge<Shape>(step.RowTrail, trail, step.RowLead, lead, step.RowSink);
+      const Block row = Edge<Shape>(step.RowTrail, trail, step.RowLead, lead, step.RowDrop);
       const Block middle = step.Next != 0
         ? Edge<Shape>(step.MidNear, leadBefore, step.MidFar, trail, step.MidDrop)
         : Edge<Shape>(step.MidNear, trailBefore, step.MidFar, lead, step.MidDrop);
@@ -230,7 +230,7 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
     }
     else if constexpr (Kind == Walk::Against)
     {
-      const Block row = Edge<Shape>(step.RowTrail, trail, step.RowLead, lead, step.RowSink);
+      const Block row = Edge<Shape>(step.RowTrail, trail, step.RowLead, lead, step.RowDrop);
       const Block middle = Edge<Shape>(step.MidNear, leadBefore, step.MidFar, trail, step.MidDrop);
       best = Max(best, Max(row, middle));
       if (step.Next != 0)
@@ -255,9 +255,9 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
         if (d > 1)
         {
           best = EdgeOf(
-            complete, best, entry.RowTrail, trailBefore, entry.RowLead, leadBefore, entry.RowSink);
+            complete, best, entry.RowTrail, trailBefore, entry.RowLead, leadBefore, entry.RowDrop);
         }
-        best = EdgeOf(complete, best, step.RowTrail, trail, step.RowLead, lead, step.RowSink);
+        best = EdgeOf(complete, best, step.RowTrail, trail, step.RowLead, lead, step.RowDrop);
         if (mixed)
         {
           const Block twist = Sub(Sub(lead, trail), Sub(leadBefore, trailBefore));
@@ -281,12 +281,12 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
         if (d > 1)
         {
           best = EdgeOf(leftComplete, best, entry.RowTrail, trailBefore, entry.RowLead, leadBefore,
-            entry.RowSink);
+            entry.RowDrop);
         }
         best = EdgeOf({ hn::Or(leftComplete.First, rightComplete.First),
                         hn::Or(leftComplete.Second, rightComplete.Second) },
           best, step.MidNear, leadBefore, step.MidFar, trail, step.MidDrop);
-        best = EdgeOf(rightComplete, best, step.RowTrail, trail, step.RowLead, lead, step.RowSink);
+        best = EdgeOf(rightComplete, best, step.RowTrail, trail, step.RowLead, lead, step.RowDrop);
         if (mixed)
         {
           const Block middle =
@@ -309,7 +309,7 @@ HWY_INLINE Block WalkSteps(const RayFrame& frame, const float* HWY_RESTRICT orig
       if (places[d].Part == 0.0)
       {
         // A post that occludes has a complete cell beside it.
-        best = Max(best, Edge(step.RowTrail, trail, 0.0f, trail, step.RowSink));
+        best = Max(best, Edge(step.RowTrail, trail, 0.0f, trail, step.RowDrop));
       }
     }
     before = post;

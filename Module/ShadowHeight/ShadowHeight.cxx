@@ -105,7 +105,7 @@ private:
   {
     const auto lines = static_cast<double>(step - 1);
     this->Fall =
-      static_cast<float>(lines * (this->Task.FallPerLine + lines * this->Task.SinkPerLine2));
+      static_cast<float>(lines * (this->Task.FallPerLine + lines * this->Task.DropPerLine2));
     const std::ptrdiff_t drift = this->Frame.DriftAfter(step - 1);
     const bool right = this->Frame.Drift > 0;
     const std::ptrdiff_t begin = (right ? 0 : drift) - this->Lane;
@@ -187,9 +187,9 @@ HWY_EXPORT(FindShadowHeights);
 class HeightSteps
 {
 public:
-  HeightSteps(double fallPerLine, double sinkPerLine2)
+  HeightSteps(double fallPerLine, double dropPerLine2)
     : FallPerLine(fallPerLine)
-    , SinkPerLine2(sinkPerLine2)
+    , DropPerLine2(dropPerLine2)
   {
   }
 
@@ -199,7 +199,7 @@ public:
     near = receiver ? 0.0f : static_cast<float>(1.0 - t);
     far = receiver ? 0.0f : static_cast<float>(t);
     fall = receiver ? -MissingHeight
-                    : static_cast<float>(line * (this->FallPerLine + line * this->SinkPerLine2));
+                    : static_cast<float>(line * (this->FallPerLine + line * this->DropPerLine2));
   }
 
   void Apply(RayFrame& frame) const
@@ -210,7 +210,7 @@ public:
       const double before = line - 1.0;
       const StepPlace& place = frame.Places[d];
       RayStep& step = frame.Steps[d];
-      this->Set(place.Part, line, step.RowTrail, step.RowLead, step.RowSink);
+      this->Set(place.Part, line, step.RowTrail, step.RowLead, step.RowDrop);
       this->Set(place.MidLine - before, place.MidLine, step.MidNear, step.MidFar, step.MidDrop);
       if (step.Next != 0)
       {
@@ -225,7 +225,7 @@ public:
   }
 
 private:
-  double FallPerLine, SinkPerLine2;
+  double FallPerLine, DropPerLine2;
 };
 
 } // namespace

@@ -62,7 +62,7 @@ struct ShadowHeightTask
 {
   const RayFrame& Frame; ///< its steps hold weights that sum to 1, and falls instead of sinks
   const ShadowHeightTiles& Tiles;
-  double FallPerLine, SinkPerLine2; ///< metres
+  double FallPerLine, DropPerLine2; ///< metres
   bool Holes;
   std::ptrdiff_t LineBegin, LineEnd, LaneBegin, LaneEnd;
   float* Heights;

@@ -61,7 +61,7 @@ float Horizon(ivec2 post)
 {
   best = Missing;
   vec4 before = Step(first - 1, 0);
-  float sinkBefore = Step(first - 1, 1).x;
+  float dropBefore = Step(first - 1, 1).x;
   float trailBefore = Post(post, first - 1, int(before.x));
   float leadBefore = Post(post, first - 1, int(before.x) + drift);
   // Lines beyond the rectangle are skipped.
@@ -79,7 +79,7 @@ float Horizon(ivec2 post)
     if (row.y == 0.0)
     {
       bool complete = Complete(trailBefore, leadBefore, trail, lead);
-      Edge(complete && d > 1, before.z, trailBefore, before.w, leadBefore, sinkBefore);
+      Edge(complete && d > 1, before.z, trailBefore, before.w, leadBefore, dropBefore);
       Edge(complete, row.z, trail, row.w, lead, mid.x);
       Edge(complete, mid.y, against != 0 ? leadBefore : trailBefore, mid.z,
         against != 0 ? trail : lead, mid.w);
@@ -90,7 +90,7 @@ float Horizon(ivec2 post)
       float right = Post(post, d - 1, int(before.x) + 2 * drift);
       bool leftComplete = Complete(trailBefore, leadBefore, left, trail);
       bool rightComplete = Complete(leadBefore, right, trail, lead);
-      Edge(leftComplete && d > 1, before.z, trailBefore, before.w, leadBefore, sinkBefore);
+      Edge(leftComplete && d > 1, before.z, trailBefore, before.w, leadBefore, dropBefore);
       Edge(leftComplete || rightComplete, mid.y, leadBefore, mid.z, trail, mid.w);
       Edge(rightComplete, row.z, trail, row.w, lead, mid.x);
       if (against != 0)
@@ -107,7 +107,7 @@ float Horizon(ivec2 post)
       Edge(trail > 0.5 * Missing, row.z, trail, 0.0, trail, mid.x);
     }
     before = row;
-    sinkBefore = mid.x;
+    dropBefore = mid.x;
     trailBefore = trail;
     leadBefore = lead;
   }
