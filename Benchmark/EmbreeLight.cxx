@@ -79,9 +79,9 @@ double BallLight(const EmbreeCaster& caster, const oracle::OracleField& field, s
 
 } // namespace
 
-Result MeasureEmbreeSun(ReferenceScene& stage, SunScore::Kind kind)
+Result MeasureEmbreeSun(ReferenceScene& reference, SunScore::Kind kind)
 {
-  const oracle::OracleField& field = stage.Scene.Field;
+  const oracle::OracleField& field = reference.Scene.Field;
   const auto posts = static_cast<std::ptrdiff_t>(field.Heights.size());
   const PeakMemory memory;
   Result result;
@@ -99,7 +99,7 @@ Result MeasureEmbreeSun(ReferenceScene& stage, SunScore::Kind kind)
   // As in our filters, the planes of the posts are computed only if the irradiance is wanted.
   std::vector<std::vector<float>> light(Suns.size(), std::vector<float>(field.Heights.size()));
   RepeatTimer timer;
-  while (timer.Next(stage.Work.Repeats, stage.Work.Seconds))
+  while (timer.Next(reference.Work.Repeats, reference.Work.Seconds))
   {
     timer.Search(
       [&]
@@ -120,7 +120,7 @@ Result MeasureEmbreeSun(ReferenceScene& stage, SunScore::Kind kind)
   }
   timer.Report(result, static_cast<double>(posts) * static_cast<double>(Suns.size()));
   result.FloatsPerPost = memory.FloatsPerPost(static_cast<double>(posts));
-  SunScore score(stage, kind);
+  SunScore score(reference, kind);
   for (std::size_t sun = 0; sun < Suns.size(); ++sun)
   {
     score.Add(sun, [&](std::size_t post) { return static_cast<double>(light[sun][post]); });
@@ -129,11 +129,11 @@ Result MeasureEmbreeSun(ReferenceScene& stage, SunScore::Kind kind)
   return result;
 }
 
-Result MeasureEmbreeLamp(ReferenceScene& stage, int side)
+Result MeasureEmbreeLamp(ReferenceScene& reference, int side)
 {
-  const oracle::OracleField& field = stage.Scene.Field;
-  const ReferenceLight& truth = stage.LampLight();
-  const LampAt lamp = stage.Lamp();
+  const oracle::OracleField& field = reference.Scene.Field;
+  const ReferenceLight& truth = reference.LampLight();
+  const LampAt lamp = reference.Lamp();
   const PeakMemory memory;
   Result result;
   const double start = ProcessCpu();
@@ -141,7 +141,7 @@ Result MeasureEmbreeLamp(ReferenceScene& stage, int side)
   result.BuildSeconds = ProcessCpu() - start;
   std::vector<double> light(truth.Posts.size());
   RepeatTimer timer;
-  while (timer.Next(stage.Work.Repeats, stage.Work.Seconds))
+  while (timer.Next(reference.Work.Repeats, reference.Work.Seconds))
   {
     timer.Search(
       [&]

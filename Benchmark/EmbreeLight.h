@@ -13,11 +13,11 @@ namespace benchmark
 {
 
 /// One occlusion ray per post and sun, for all posts. Throws std::runtime_error without Embree.
-Result MeasureEmbreeSun(ReferenceScene& stage, SunScore::Kind kind);
+Result MeasureEmbreeSun(ReferenceScene& reference, SunScore::Kind kind);
 
 /// side x side rays per post, one at random in each of as many equal cells of the lamp's disc, for
 /// the posts of the reference.
-Result MeasureEmbreeLamp(ReferenceScene& stage, int side);
+Result MeasureEmbreeLamp(ReferenceScene& reference, int side);
 
 } // namespace benchmark
 } // namespace skyline

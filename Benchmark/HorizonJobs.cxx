@@ -29,18 +29,18 @@ namespace
 constexpr std::size_t ThinEvery = 8; // "every crossing" is slow and runs in every eighth azimuth
 constexpr int DeviceAzimuths = 16;   // half of those of the reference
 
-Result MeasureDevice(ReferenceScene& stage, bool pyramid)
+Result MeasureDevice(ReferenceScene& reference, bool pyramid)
 {
-  const ReferenceHorizons& truth = stage.Horizons();
-  const auto image = ImageOf(stage.Scene.Field);
+  const ReferenceHorizons& truth = reference.Horizons();
+  const auto image = ImageOf(reference.Scene.Field);
   vtkNew<vtkOpenGLHeightFieldHorizon> filter;
   RequireDevice(filter->GetDevice());
   filter->SetInputData(image);
   filter->SetNumberOfAzimuths(DeviceAzimuths);
   filter->SetMethod(pyramid ? vtkHeightFieldAlgorithm::PYRAMID : vtkHeightFieldAlgorithm::EXACT);
-  const auto posts = static_cast<double>(stage.Scene.Field.Heights.size());
+  const auto posts = static_cast<double>(reference.Scene.Field.Heights.size());
   Result result =
-    TimeUpdates(filter, image, stage.Work, posts * static_cast<double>(DeviceAzimuths));
+    TimeUpdates(filter, image, reference.Work, posts * static_cast<double>(DeviceAzimuths));
   CheckOnDevice(filter->IsOnDevice());
   KeepWallOnly(result);
   auto* found =
@@ -61,13 +61,13 @@ Result MeasureDevice(ReferenceScene& stage, bool pyramid)
   return result;
 }
 
-// Adds jobs on the horizons of a stage.
+// Adds jobs on the horizons of a reference.
 class HorizonJobs
 {
 public:
-  HorizonJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
+  HorizonJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference)
     : Jobs(jobs)
-    , ReferenceScene(stage)
+    , ReferenceScene(reference)
   {
   }
 
@@ -76,19 +76,19 @@ public:
   {
     AddJob(
       this->Jobs, this->ReferenceScene, "horizon", kind, label, settings, turn,
-      [stage = this->ReferenceScene] { stage->Horizons(); }, measure);
+      [reference = this->ReferenceScene] { reference->Horizons(); }, measure);
   }
 
   void AddKernel(const char* kind, const std::string& label, const std::string& settings, int turn,
     const HorizonSettings& how)
   {
     this->Add(kind, label, settings, turn,
-      [stage = this->ReferenceScene, how]
+      [reference = this->ReferenceScene, how]
       {
         return MeasureKernel(
-          stage->Scene, stage->Horizons(),
+          reference->Scene, reference->Horizons(),
           [&](const HeightField& field) { return MakeHorizonMethod(field, how); },
-          stage->Work.Repeats, 1, stage->Work.Seconds);
+          reference->Work.Repeats, 1, reference->Work.Seconds);
       });
   }
 
@@ -125,13 +125,13 @@ void HorizonJobs::AddPeers(bool much)
 {
   this->Add("every", "every crossing", "plain loops, every eighth azimuth",
     much ? MainTurn : PeerTurn,
-    [stage = this->ReferenceScene]
+    [reference = this->ReferenceScene]
     {
       return MeasureKernel(
-        stage->Scene, stage->Horizons(),
+        reference->Scene, reference->Horizons(),
         [](const HeightField& field)
         { return std::make_unique<EveryCrossing>(field, HorizonSettings()); },
-        stage->Work.Repeats, ThinEvery, stage->Work.Seconds);
+        reference->Work.Repeats, ThinEvery, reference->Work.Seconds);
     });
   for (const double accuracy : { 0.25, 0.01 })
   {
@@ -139,11 +139,15 @@ void HorizonJobs::AddPeers(bool much)
     std::snprintf(label, sizeof label, "Embree %.2f°", accuracy);
     this->Add("embree", label, "occlusion rays, bracket from the previous azimuth",
       accuracy > 0.1 && much ? MainTurn : PeerTurn,
-      [stage = this->ReferenceScene, accuracy]
-      { return MeasureEmbree(stage->Scene, stage->Horizons(), accuracy, stage->Work.Repeats); });
+      [reference = this->ReferenceScene, accuracy]
+      {
+        return MeasureEmbree(
+          reference->Scene, reference->Horizons(), accuracy, reference->Work.Repeats);
+      });
   }
   this->Add("grass", "GRASS r.horizon", "-d, whole raster, with start and files", PeerTurn,
-    [stage = this->ReferenceScene] { return MeasureGrass(stage->Scene, stage->Horizons(), 1); });
+    [reference = this->ReferenceScene]
+    { return MeasureGrass(reference->Scene, reference->Horizons(), 1); });
 }
 
 void HorizonJobs::AddTolerances()
@@ -181,9 +185,9 @@ void HorizonJobs::AddPyramids()
 
 } // namespace
 
-void AddHorizonJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage, bool much)
+void AddHorizonJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference, bool much)
 {
-  HorizonJobs all(jobs, stage);
+  HorizonJobs all(jobs, reference);
   all.AddMethods();
   all.AddPeers(much);
   all.AddTolerances();
@@ -193,9 +197,9 @@ void AddHorizonJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage, 
   }
   all.AddPyramids();
   all.Add("gpu", "GPU exact", "16 azimuths, wall time", DeviceTurn,
-    [stage] { return MeasureDevice(*stage, false); });
+    [reference] { return MeasureDevice(*reference, false); });
   all.Add("gpu", "GPU pyramid", "16 azimuths, k = 4, o = 2, wall time", DeviceTurn,
-    [stage] { return MeasureDevice(*stage, true); });
+    [reference] { return MeasureDevice(*reference, true); });
 }
 
 } // namespace benchmark

@@ -42,13 +42,13 @@ const std::vector<std::string>& Kinds()
   return kinds;
 }
 
-void AddJob(std::vector<Job>& jobs, const ReferenceScenePointer& stage, const char* quantity,
+void AddJob(std::vector<Job>& jobs, const ReferenceScenePointer& reference, const char* quantity,
   const char* kind, const std::string& label, const std::string& settings, int turn,
   std::function<void()> prepare, std::function<Result()> measure)
 {
   Job job;
   job.What.Quantity = quantity;
-  job.What.Scene = stage->Scene.Name;
+  job.What.Scene = reference->Scene.Name;
   job.What.Kind = kind;
   job.What.Label = label;
   job.What.Settings = settings;

@@ -37,20 +37,20 @@ constexpr SearchMethod Searches[] = { { "exact", vtkHeightFieldAlgorithm::EXACT 
 
 using ReferenceScenePointer = std::shared_ptr<ReferenceScene>;
 
-/// Adds a job on a stage. The other arguments are those of Task and Job.
-void AddJob(std::vector<Job>& jobs, const ReferenceScenePointer& stage, const char* quantity,
+/// Adds a job on a reference. The other arguments are those of Task and Job.
+void AddJob(std::vector<Job>& jobs, const ReferenceScenePointer& reference, const char* quantity,
   const char* kind, const std::string& label, const std::string& settings, int turn,
   std::function<void()> prepare, std::function<Result()> measure);
 
 /// `much`: whether to add further settings and the graphics processor.
-void AddHorizonJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage, bool much);
-void AddSkyJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage);
-void AddThreadJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage);
-void AddIrradianceJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage);
-void AddSunJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage);
-void AddBeamJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage);
-void AddLampJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage);
-void AddFrameJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage);
+void AddHorizonJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference, bool much);
+void AddSkyJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference);
+void AddThreadJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference);
+void AddIrradianceJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference);
+void AddSunJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference);
+void AddBeamJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference);
+void AddLampJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference);
+void AddFrameJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference);
 
 } // namespace benchmark
 } // namespace skyline

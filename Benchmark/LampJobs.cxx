@@ -18,9 +18,9 @@ namespace benchmark
 namespace
 {
 
-Result MeasureLamp(ReferenceScene& stage, const LampSettings& settings)
+Result MeasureLamp(ReferenceScene& reference, const LampSettings& settings)
 {
-  const oracle::OracleField& field = stage.Scene.Field;
+  const oracle::OracleField& field = reference.Scene.Field;
   const Grid grid = testing::GridOf(field);
   const HeightField posts = testing::FieldOf(field);
   const auto count = field.Heights.size();
@@ -28,7 +28,7 @@ Result MeasureLamp(ReferenceScene& stage, const LampSettings& settings)
   Gradients(
     grid, [&](std::ptrdiff_t column, std::ptrdiff_t row) { return field.At(column, row); }, 0,
     grid.Rows, east.data(), north.data());
-  const LampAt at = stage.Lamp();
+  const LampAt at = reference.Lamp();
   Lamp lamp;
   lamp.X = at.X;
   lamp.Y = at.Y;
@@ -36,7 +36,7 @@ Result MeasureLamp(ReferenceScene& stage, const LampSettings& settings)
   lamp.Radius = at.Radius;
   RepeatTimer timer;
   const PeakMemory memory;
-  while (timer.Next(stage.Work.Repeats, stage.Work.Seconds))
+  while (timer.Next(reference.Work.Repeats, reference.Work.Seconds))
   {
     light.assign(3 * count, 0.0f);
     timer.Search(
@@ -51,7 +51,7 @@ Result MeasureLamp(ReferenceScene& stage, const LampSettings& settings)
   result.FloatsPerPost = memory.FloatsPerPost(static_cast<double>(count));
   timer.Report(result, static_cast<double>(count));
   result.PrepareNs = result.SearchNs = NotMeasured;
-  const ReferenceLight& truth = stage.LampLight();
+  const ReferenceLight& truth = reference.LampLight();
   ErrorSum errors;
   for (std::size_t i = 0; i < truth.Posts.size(); ++i)
   {
@@ -69,7 +69,7 @@ Result MeasureLamp(ReferenceScene& stage, const LampSettings& settings)
 
 } // namespace
 
-void AddLampJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
+void AddLampJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference)
 {
   for (const int azimuths : { 32, 8, 2 })
   {
@@ -81,23 +81,25 @@ void AddLampJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
     std::snprintf(
       words, sizeof words, "tolerance %.3g of the unshadowed light", settings.Tolerance);
     AddJob(
-      jobs, stage, "lamp", "lamp", label, words, azimuths == 32 ? MainTurn : SweepTurn,
-      [stage] { stage->LampLight(); }, [stage, settings] { return MeasureLamp(*stage, settings); });
+      jobs, reference, "lamp", "lamp", label, words, azimuths == 32 ? MainTurn : SweepTurn,
+      [reference] { reference->LampLight(); },
+      [reference, settings] { return MeasureLamp(*reference, settings); });
   }
   LampSettings loose;
   loose.Azimuths = 8;
   loose.Tolerance = 0.05;
   AddJob(
-    jobs, stage, "lamp", "lamp", "lamp, loose", "8 planes, tolerance 0.05 of the unshadowed light",
-    SweepTurn, [stage] { stage->LampLight(); },
-    [stage, loose] { return MeasureLamp(*stage, loose); });
+    jobs, reference, "lamp", "lamp", "lamp, loose",
+    "8 planes, tolerance 0.05 of the unshadowed light", SweepTurn,
+    [reference] { reference->LampLight(); },
+    [reference, loose] { return MeasureLamp(*reference, loose); });
   for (const int side : { 8, 32, 3 })
   {
     AddJob(
-      jobs, stage, "lamp", "embree", "Embree " + std::to_string(side * side),
+      jobs, reference, "lamp", "embree", "Embree " + std::to_string(side * side),
       std::to_string(side * side) + " rays per post into equal cells of the lamp",
-      side == 8 ? PeerTurn : SweepTurn, [stage] { stage->LampLight(); },
-      [stage, side] { return MeasureEmbreeLamp(*stage, side); });
+      side == 8 ? PeerTurn : SweepTurn, [reference] { reference->LampLight(); },
+      [reference, side] { return MeasureEmbreeLamp(*reference, side); });
   }
 }
 

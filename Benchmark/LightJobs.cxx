@@ -46,39 +46,39 @@ vtkSmartPointer<vtkHeightFieldSkyView> MakeSkyView(int method, int azimuths)
   return filter;
 }
 
-Result MeasureSky(ReferenceScene& stage, int method, int azimuths)
+Result MeasureSky(ReferenceScene& reference, int method, int azimuths)
 {
   const auto filter = MakeSkyView(method, azimuths);
-  const auto image = ImageOf(stage.Scene.Field);
+  const auto image = ImageOf(reference.Scene.Field);
   filter->SetInputData(image);
-  Result result =
-    TimeUpdates(filter, image, stage.Work, static_cast<double>(stage.Scene.Field.Heights.size()));
-  const ReferenceHorizons& truth = stage.SkyHorizons();
+  Result result = TimeUpdates(
+    filter, image, reference.Work, static_cast<double>(reference.Scene.Field.Heights.size()));
+  const ReferenceHorizons& truth = reference.SkyHorizons();
   ErrorSum errors;
   for (std::size_t i = 0; i < truth.Posts.size(); ++i)
   {
     errors.Add(static_cast<double>(ArrayOf(filter, "SkyViewFactor")->GetValue(truth.Posts[i])),
-      stage.SkyView()[i]);
+      reference.SkyView()[i]);
   }
   result.Error = errors.Get();
   return result;
 }
 
 // Errors and cost of the sky view factors of another program.
-Result OfProgram(ReferenceScene& stage, const Cost& cost, const std::vector<float>& found)
+Result OfProgram(ReferenceScene& reference, const Cost& cost, const std::vector<float>& found)
 {
   ErrorSum errors;
-  const ReferenceHorizons& truth = stage.SkyHorizons();
+  const ReferenceHorizons& truth = reference.SkyHorizons();
   for (std::size_t i = 0; i < truth.Posts.size(); ++i)
   {
     errors.Add(
-      static_cast<double>(found[static_cast<std::size_t>(truth.Posts[i])]), stage.SkyView()[i]);
+      static_cast<double>(found[static_cast<std::size_t>(truth.Posts[i])]), reference.SkyView()[i]);
   }
   Result result;
   RepeatTimer timer;
   timer.Add({}, { cost.Cpu, cost.Wall });
-  timer.Report(result, static_cast<double>(stage.Scene.Field.Heights.size()));
-  result.FloatsPerPost = FloatsPerPost(cost, stage.Scene.Field);
+  timer.Report(result, static_cast<double>(reference.Scene.Field.Heights.size()));
+  result.FloatsPerPost = FloatsPerPost(cost, reference.Scene.Field);
   result.PrepareNs = result.SearchNs = NotMeasured;
   result.Error = errors.Get();
   result.Ran = true;
@@ -86,25 +86,25 @@ Result OfProgram(ReferenceScene& stage, const Cost& cost, const std::vector<floa
 }
 
 // Sky view factors of SAGA, with rays from cell to cell in a number of sectors.
-Result MeasureSagaSky(ReferenceScene& stage, int sectors)
+Result MeasureSagaSky(ReferenceScene& reference, int sectors)
 {
-  const oracle::OracleField& field = stage.Scene.Field;
+  const oracle::OracleField& field = reference.Scene.Field;
   const ScratchFolder folder;
   WriteSagaGrid(field, folder.File("heights"));
   const Cost cost = RunProgram({ "saga_cmd", "-c=1", "ta_lighting", "3",
     "-DEM=" + folder.File("heights.sgrd"), "-VISIBLE=" + folder.File("visible.sgrd"),
     "-SVF=" + folder.File("sky.sgrd"), "-RADIUS=1e9", "-NDIRS=" + std::to_string(sectors) });
-  return OfProgram(stage, cost, ReadSagaGrid(field, folder.File("sky")));
+  return OfProgram(reference, cost, ReadSagaGrid(field, folder.File("sky")));
 }
 
 // The diffuse light of r.sun, which ignores the shadow of terrain: a sky view factor without
 // horizons.
-Result MeasureGrassDiffuse(ReferenceScene& stage)
+Result MeasureGrassDiffuse(ReferenceScene& reference)
 {
-  const oracle::OracleField& field = stage.Scene.Field;
+  const oracle::OracleField& field = reference.Scene.Field;
   Cost cost;
   const std::vector<float> found = GrassDiffuse(field, cost);
-  return OfProgram(stage, cost, found);
+  return OfProgram(reference, cost, found);
 }
 
 // The errors of red, green and blue together, in per cent of the mean.
@@ -160,26 +160,26 @@ double RelightNs(
 }
 
 Result MeasureIrradiance(
-  ReferenceScene& stage, vtkHeightFieldIrradiance* filter, const LightSettings& how)
+  ReferenceScene& reference, vtkHeightFieldIrradiance* filter, const LightSettings& how)
 {
-  const auto image = ImageOf(stage.Scene.Field);
+  const auto image = ImageOf(reference.Scene.Field);
   const auto sky = MakeClearSky();
   Apply(how, filter);
   filter->SetInputData(image);
   filter->AddLight(sky);
   sky->GetLightMap();
-  Result result =
-    TimeUpdates(filter, image, stage.Work, static_cast<double>(stage.Scene.Field.Heights.size()));
-  result.Error = LightErrors(ArrayOf(filter, "Irradiance"), stage.ClearSky());
-  result.RelightNs = RelightNs(filter, sky, stage.Work);
+  Result result = TimeUpdates(
+    filter, image, reference.Work, static_cast<double>(reference.Scene.Field.Heights.size()));
+  result.Error = LightErrors(ArrayOf(filter, "Irradiance"), reference.ClearSky());
+  result.RelightNs = RelightNs(filter, sky, reference.Work);
   return result;
 }
 
-Result MeasureDeviceIrradiance(ReferenceScene& stage, const LightSettings& how)
+Result MeasureDeviceIrradiance(ReferenceScene& reference, const LightSettings& how)
 {
   vtkNew<vtkOpenGLHeightFieldIrradiance> filter;
   RequireDevice(filter->GetDevice());
-  Result result = MeasureIrradiance(stage, filter, how);
+  Result result = MeasureIrradiance(reference, filter, how);
   CheckOnDevice(filter->IsOnDevice());
   KeepWallOnly(result);
   result.RelightNs = NotMeasured;
@@ -189,21 +189,22 @@ Result MeasureDeviceIrradiance(ReferenceScene& stage, const LightSettings& how)
 }
 
 // The cost of a frame of moving terrain: a new surface, new horizons, new light.
-Result MeasureFrames(ReferenceScene& stage, const LightSettings& how)
+Result MeasureFrames(ReferenceScene& reference, const LightSettings& how)
 {
   vtkNew<vtkHeightFieldIrradiance> filter;
-  return MeasureIrradiance(stage, filter, how);
+  return MeasureIrradiance(reference, filter, how);
 }
 
 } // namespace
 
-void AddSkyJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
+void AddSkyJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference)
 {
   const auto add = [&](const char* kind, const std::string& label, const std::string& settings,
                      int turn, const std::function<Result()>& measure)
   {
     AddJob(
-      jobs, stage, "sky", kind, label, settings, turn, [stage] { stage->SkyView(); }, measure);
+      jobs, reference, "sky", kind, label, settings, turn, [reference] { reference->SkyView(); },
+      measure);
   };
   for (const int azimuths : { 36, 16, 72, 8, 180 })
   {
@@ -219,7 +220,7 @@ void AddSkyJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
           azimuths == 36     ? MainTurn
             : azimuths == 16 ? PeerTurn
                              : SweepTurn,
-          [stage, method, azimuths] { return MeasureSky(*stage, method, azimuths); });
+          [reference, method, azimuths] { return MeasureSky(*reference, method, azimuths); });
       }
     }
   }
@@ -228,52 +229,52 @@ void AddSkyJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
     add("saga", "SAGA " + std::to_string(sectors),
       "ta_lighting 3, whole radius, cell by cell, one thread, with start and files",
       sectors == 8 ? PeerTurn : SweepTurn,
-      [stage, sectors] { return MeasureSagaSky(*stage, sectors); });
+      [reference, sectors] { return MeasureSagaSky(*reference, sectors); });
   }
   add("grass", "GRASS r.sun, diffuse",
     "diff_rad, sun at the zenith, coeff_bh=0: no shadows of terrain; with start and files",
-    PeerTurn, [stage] { return MeasureGrassDiffuse(*stage); });
+    PeerTurn, [reference] { return MeasureGrassDiffuse(*reference); });
 }
 
-void AddThreadJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
+void AddThreadJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference)
 {
   const int most = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   for (int threads = 1; threads <= most;
        threads = threads < most ? std::min(2 * threads, most) : most + 1)
   {
     AddJob(
-      jobs, stage, "threads", "exact",
+      jobs, reference, "threads", "exact",
       std::to_string(threads) + (threads == 1 ? " thread" : " threads"),
       "sky view factor, 36 azimuths", PeerTurn, [] {},
-      [stage, threads]
+      [reference, threads]
       {
         constexpr int azimuths = 36;
         const auto filter = MakeSkyView(vtkHeightFieldAlgorithm::EXACT, azimuths);
-        const auto image = ImageOf(stage->Scene.Field);
+        const auto image = ImageOf(reference->Scene.Field);
         filter->SetInputData(image);
-        return TimeUpdates(filter, image, stage->Work,
-          static_cast<double>(stage->Scene.Field.Heights.size()), threads);
+        return TimeUpdates(filter, image, reference->Work,
+          static_cast<double>(reference->Scene.Field.Heights.size()), threads);
       });
   }
 }
 
-void AddIrradianceJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
+void AddIrradianceJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference)
 {
   const auto add = [&](const char* kind, const std::string& label, const std::string& settings,
                      int turn, const std::function<Result()>& measure)
   {
     AddJob(
-      jobs, stage, "irradiance", kind, label, settings, turn, [stage] { stage->ClearSky(); },
-      measure);
+      jobs, reference, "irradiance", kind, label, settings, turn,
+      [reference] { reference->ClearSky(); }, measure);
   };
   const auto host = [&](const char* kind, const std::string& label, const std::string& settings,
                       int turn, const LightSettings& how)
   {
     add(kind, label, settings, turn,
-      [stage, how]
+      [reference, how]
       {
         vtkNew<vtkHeightFieldIrradiance> filter;
-        return MeasureIrradiance(*stage, filter, how);
+        return MeasureIrradiance(*reference, filter, how);
       });
   };
   LightSettings how;
@@ -310,17 +311,17 @@ void AddIrradianceJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stag
   host("harmonics", "SH 4, pyramid", "harmonics of 4 bands, 32 azimuths", PeerTurn, how);
   how.Count = 16;
   add("gpu", "GPU SH 4, pyramid", "harmonics of 4 bands, 16 azimuths, wall time", DeviceTurn,
-    [stage, how] { return MeasureDeviceIrradiance(*stage, how); });
+    [reference, how] { return MeasureDeviceIrradiance(*reference, how); });
 }
 
-void AddFrameJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
+void AddFrameJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference)
 {
   const auto add = [&](const char* kind, const std::string& label, const std::string& settings,
                      int turn, const LightSettings& how)
   {
     AddJob(
-      jobs, stage, "frame", kind, label, settings, turn, [stage] { stage->ClearSky(); },
-      [stage, how] { return MeasureFrames(*stage, how); });
+      jobs, reference, "frame", kind, label, settings, turn, [reference] { reference->ClearSky(); },
+      [reference, how] { return MeasureFrames(*reference, how); });
   };
   for (const auto& search : Searches)
   {

@@ -40,7 +40,8 @@ std::vector<ReferenceScenePointer> MakeStages(
     Scene made = MakeScene(scene, size);
     made.Name += named ? " " + std::to_string(size) : "";
     for (int copy = 2; std::any_of(stages.begin(), stages.end(),
-           [&](const ReferenceScenePointer& stage) { return stage->Scene.Name == made.Name; });
+           [&](const ReferenceScenePointer& reference)
+           { return reference->Scene.Name == made.Name; });
          ++copy) // for files with the same name
     {
       made.Name = made.Name.substr(0, made.Name.find(" #")) + " #" + std::to_string(copy);
@@ -121,37 +122,38 @@ std::vector<Job> MakeJobs(
 {
   std::vector<Job> jobs;
   const auto begins =
-    [](const ReferenceScenePointer& stage, std::initializer_list<const char*> names)
+    [](const ReferenceScenePointer& reference, std::initializer_list<const char*> names)
   {
     return std::any_of(names.begin(), names.end(),
-      [&](const char* name) { return stage->Scene.Name.rfind(name, 0) == 0; });
+      [&](const char* name) { return reference->Scene.Name.rfind(name, 0) == 0; });
   };
   for (std::size_t k = 0; k < stages.size(); ++k)
   {
-    const ReferenceScenePointer& stage = stages[k];
+    const ReferenceScenePointer& reference = stages[k];
     // Light is measured on a few scenes only, because its errors follow those of the horizons.
-    const bool main = k < options.Rasters.size() || begins(stage, { "hills", "helens", "lidar" });
+    const bool main =
+      k < options.Rasters.size() || begins(reference, { "hills", "helens", "lidar" });
     const bool only = stages.size() == 1;
     const std::size_t before = jobs.size();
-    AddHorizonJobs(jobs, stage, main || only);
+    AddHorizonJobs(jobs, reference, main || only);
     if (main || only)
     {
-      AddSkyJobs(jobs, stage);
-      AddBeamJobs(jobs, stage);
-      AddIrradianceJobs(jobs, stage);
-      AddLampJobs(jobs, stage);
+      AddSkyJobs(jobs, reference);
+      AddBeamJobs(jobs, reference);
+      AddIrradianceJobs(jobs, reference);
+      AddLampJobs(jobs, reference);
     }
-    AddSunJobs(jobs, stage);
-    if (begins(stage, { "moving" }))
+    AddSunJobs(jobs, reference);
+    if (begins(reference, { "moving" }))
     {
-      AddFrameJobs(jobs, stage);
+      AddFrameJobs(jobs, reference);
     }
-    if (begins(stage, { "hills" }) || only)
+    if (begins(reference, { "hills" }) || only)
     {
-      AddThreadJobs(jobs, stage);
+      AddThreadJobs(jobs, reference);
     }
     // The main setting of each method comes before further values of a parameter on any scene.
-    const bool first = k < options.Rasters.size() || begins(stage, { "hills" });
+    const bool first = k < options.Rasters.size() || begins(reference, { "hills" });
     const int later = first ? 0 : main ? 1 : 2;
     for (std::size_t j = before; j < jobs.size(); ++j)
     {
@@ -192,9 +194,9 @@ Session RunSession(
   session.Budget = options.Budget;
   session.Machine = MachineFacts();
   const std::vector<ReferenceScenePointer> stages = MakeStages(options, stop);
-  for (const ReferenceScenePointer& stage : stages)
+  for (const ReferenceScenePointer& reference : stages)
   {
-    session.Scenes.emplace_back(stage->Scene.Name, stage->Scene.Description);
+    session.Scenes.emplace_back(reference->Scene.Name, reference->Scene.Description);
   }
   const std::vector<Job> jobs = MakeJobs(options, stages);
   if (jobs.empty())

@@ -33,18 +33,18 @@ namespace
 using Kind = SunScore::Kind;
 
 // Measures one of our filters for all suns. set(sun) sets its light, value(post) reads its output.
-Result MeasureSuns(ReferenceScene& stage, Kind kind, vtkAlgorithm* filter,
+Result MeasureSuns(ReferenceScene& reference, Kind kind, vtkAlgorithm* filter,
   const std::function<void(const SunAt&)>& set, const SunOf& value)
 {
-  const auto image = ImageOf(stage.Scene.Field);
+  const auto image = ImageOf(reference.Scene.Field);
   filter->SetInputDataObject(0, image);
-  SunScore score(stage, kind);
+  SunScore score(reference, kind);
   Result sum;
   for (std::size_t sun = 0; sun < Suns.size(); ++sun)
   {
     set(Suns[sun]);
-    const Result one =
-      TimeUpdates(filter, image, stage.Work, static_cast<double>(stage.Scene.Field.Heights.size()));
+    const Result one = TimeUpdates(
+      filter, image, reference.Work, static_cast<double>(reference.Scene.Field.Heights.size()));
     const auto add = [&](double Result::*member)
     {
       const double part = one.*member / static_cast<double>(Suns.size());
@@ -68,13 +68,13 @@ vtkDataArray* ArrayOf(vtkAlgorithm* filter, const char* name)
   return vtkImageData::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData()->GetArray(name);
 }
 
-Result MeasureShadow(ReferenceScene& stage, int method)
+Result MeasureShadow(ReferenceScene& reference, int method)
 {
   vtkNew<vtkHeightFieldSunShadow> filter;
   filter->SetMethod(method);
   filter->SetSunAngularRadius(0.0);
   return MeasureSuns(
-    stage, Kind::Lit, filter,
+    reference, Kind::Lit, filter,
     [&](const SunAt& sun)
     {
       filter->SetSunAzimuth(sun.Azimuth);
@@ -88,7 +88,7 @@ Result MeasureShadow(ReferenceScene& stage, int method)
     });
 }
 
-Result MeasureBeam(ReferenceScene& stage, int method)
+Result MeasureBeam(ReferenceScene& reference, int method)
 {
   vtkNew<vtkHeightFieldIrradiance> filter;
   vtkNew<vtkSkylineSunLight> light;
@@ -96,7 +96,7 @@ Result MeasureBeam(ReferenceScene& stage, int method)
   filter->SetMethod(method);
   filter->AddLight(light);
   return MeasureSuns(
-    stage, Kind::Beam, filter,
+    reference, Kind::Beam, filter,
     [&](const SunAt& sun)
     {
       light->SetAzimuth(sun.Azimuth);
@@ -106,12 +106,13 @@ Result MeasureBeam(ReferenceScene& stage, int method)
     { return ArrayOf(filter, "Irradiance")->GetComponent(static_cast<vtkIdType>(post), 0); });
 }
 
-Result MeasureShadowHeight(ReferenceScene& stage, int method, vtkHeightFieldShadowHeight* filter)
+Result MeasureShadowHeight(
+  ReferenceScene& reference, int method, vtkHeightFieldShadowHeight* filter)
 {
   filter->SetMethod(method);
   filter->SetSunAngularRadius(0.0);
   return MeasureSuns(
-    stage, Kind::Lit, filter,
+    reference, Kind::Lit, filter,
     [&](const SunAt& sun)
     {
       filter->SetSunAzimuth(sun.Azimuth);
@@ -125,11 +126,11 @@ Result MeasureShadowHeight(ReferenceScene& stage, int method, vtkHeightFieldShad
     });
 }
 
-Result MeasureDeviceShadowHeight(ReferenceScene& stage)
+Result MeasureDeviceShadowHeight(ReferenceScene& reference)
 {
   vtkNew<vtkOpenGLHeightFieldShadowHeight> filter;
   RequireDevice(filter->GetDevice());
-  Result result = MeasureShadowHeight(stage, vtkHeightFieldAlgorithm::EXACT, filter);
+  Result result = MeasureShadowHeight(reference, vtkHeightFieldAlgorithm::EXACT, filter);
   CheckOnDevice(filter->IsOnDevice());
   KeepWallOnly(result);
   std::snprintf(result.Reason, sizeof result.Reason, "%s",
@@ -139,11 +140,11 @@ Result MeasureDeviceShadowHeight(ReferenceScene& stage)
 
 // Measures another program, which runs once for each sun.
 Result MeasurePeer(
-  ReferenceScene& stage, Kind kind, PeerSun (*make)(const oracle::OracleField& field))
+  ReferenceScene& reference, Kind kind, PeerSun (*make)(const oracle::OracleField& field))
 {
-  const oracle::OracleField& field = stage.Scene.Field;
+  const oracle::OracleField& field = reference.Scene.Field;
   const PeerSun run = make(field);
-  SunScore score(stage, kind);
+  SunScore score(reference, kind);
   Cost cost;
   for (std::size_t sun = 0; sun < Suns.size(); ++sun)
   {
@@ -161,66 +162,66 @@ Result MeasurePeer(
 }
 
 // Returns a function that adds jobs of a quantity whose reference is the horizons towards the suns.
-auto Adder(std::vector<Job>& jobs, const ReferenceScenePointer& stage, const char* quantity)
+auto Adder(std::vector<Job>& jobs, const ReferenceScenePointer& reference, const char* quantity)
 {
-  return [&jobs, stage, quantity](const char* kind, const char* label, const char* settings,
+  return [&jobs, reference, quantity](const char* kind, const char* label, const char* settings,
            int turn, const std::function<Result()>& measure)
   {
     AddJob(
-      jobs, stage, quantity, kind, label, settings, turn, [stage] { stage->SunHorizons(); },
-      measure);
+      jobs, reference, quantity, kind, label, settings, turn,
+      [reference] { reference->SunHorizons(); }, measure);
   };
 }
 
 } // namespace
 
-void AddSunJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
+void AddSunJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference)
 {
-  const auto add = Adder(jobs, stage, "sun");
+  const auto add = Adder(jobs, reference, "sun");
   for (const auto& search : Searches)
   {
     add(search.Name, search.Name, "a point sun, one azimuth", MainTurn,
-      [stage, method = search.Method] { return MeasureShadow(*stage, method); });
+      [reference, method = search.Method] { return MeasureShadow(*reference, method); });
   }
-  const auto shadowHeight = [stage](int method)
+  const auto shadowHeight = [reference](int method)
   {
     vtkNew<vtkHeightFieldShadowHeight> filter;
-    return MeasureShadowHeight(*stage, method, filter);
+    return MeasureShadowHeight(*reference, method, filter);
   };
   add("shadow-height", "shadow height", "exact", MainTurn,
     [shadowHeight] { return shadowHeight(vtkHeightFieldAlgorithm::EXACT); });
   add("gdaldem", "gdaldem hillshade", "slopes only, casts no shadow; with start and files",
-    PeerTurn, [stage] { return MeasurePeer(*stage, Kind::Lit, GdalSun); });
+    PeerTurn, [reference] { return MeasurePeer(*reference, Kind::Lit, GdalSun); });
   add("saga", "SAGA hillshade", "ta_lighting 0, with shadows, one thread; with start and files",
-    PeerTurn, [stage] { return MeasurePeer(*stage, Kind::Lit, SagaSun); });
+    PeerTurn, [reference] { return MeasurePeer(*reference, Kind::Lit, SagaSun); });
   add("grass", "GRASS r.sunmask", "-z; with start and files", LastTurn,
-    [stage] { return MeasurePeer(*stage, Kind::Lit, GrassSunMask); });
+    [reference] { return MeasurePeer(*reference, Kind::Lit, GrassSunMask); });
   add("embree", "Embree", "one occlusion ray per post and sun", PeerTurn,
-    [stage] { return MeasureEmbreeSun(*stage, Kind::Lit); });
+    [reference] { return MeasureEmbreeSun(*reference, Kind::Lit); });
   add("shadow-height", "shadow height, sweep", "Lee & Kim's recurrence as published", PeerTurn,
     [shadowHeight] { return shadowHeight(vtkHeightFieldAlgorithm::SWEEP); });
   add("gpu", "GPU shadow height", "exact, wall time", DeviceTurn,
-    [stage] { return MeasureDeviceShadowHeight(*stage); });
+    [reference] { return MeasureDeviceShadowHeight(*reference); });
 }
 
-void AddBeamJobs(std::vector<Job>& jobs, const ReferenceScenePointer& stage)
+void AddBeamJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference)
 {
-  const auto add = Adder(jobs, stage, "beam");
+  const auto add = Adder(jobs, reference, "beam");
   for (const auto& search : Searches)
   {
     add(search.Name, search.Name, "a point sun of irradiance 1", MainTurn,
-      [stage, method = search.Method] { return MeasureBeam(*stage, method); });
+      [reference, method = search.Method] { return MeasureBeam(*reference, method); });
   }
   add("grass", "GRASS r.sun",
     "beam_rad, mode 1, linke_value=0 (no atmosphere), our slopes; with start and files", PeerTurn,
-    [stage] { return MeasurePeer(*stage, Kind::Beam, GrassSun); });
+    [reference] { return MeasurePeer(*reference, Kind::Beam, GrassSun); });
   add("saga", "SAGA hillshade", "ta_lighting 0, with shadows, one thread; with start and files",
-    PeerTurn, [stage] { return MeasurePeer(*stage, Kind::Beam, SagaSun); });
+    PeerTurn, [reference] { return MeasurePeer(*reference, Kind::Beam, SagaSun); });
   add("gdaldem", "gdaldem hillshade",
     "ZevenbergenThorne, casts no shadow, 254 shades; with start and files", PeerTurn,
-    [stage] { return MeasurePeer(*stage, Kind::Beam, GdalSun); });
+    [reference] { return MeasurePeer(*reference, Kind::Beam, GdalSun); });
   add("embree", "Embree", "one occlusion ray per post and sun, then the cosine", PeerTurn,
-    [stage] { return MeasureEmbreeSun(*stage, Kind::Beam); });
+    [reference] { return MeasureEmbreeSun(*reference, Kind::Beam); });
 }
 
 } // namespace benchmark

@@ -12,10 +12,10 @@ namespace skyline
 namespace benchmark
 {
 
-SunScore::SunScore(ReferenceScene& stage, Kind kind)
-  : Field(stage.Scene.Field)
-  , Right(stage.SunHorizons())
-  , Side(stage.WindowSide())
+SunScore::SunScore(ReferenceScene& reference, Kind kind)
+  : Field(reference.Scene.Field)
+  , Right(reference.SunHorizons())
+  , Side(reference.WindowSide())
   , What(kind)
 {
 }

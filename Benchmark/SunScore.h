@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares the light of point suns with the reference, in the window of a stage.
+// Compares the light of point suns with the reference, in the window of a reference.
 #ifndef skyline_SunScore_h
 #define skyline_SunScore_h
 
@@ -29,7 +29,7 @@ public:
     Beam ///< the cosine of incidence, 0 in shadow. Errors in % of the mean
   };
 
-  SunScore(ReferenceScene& stage, Kind kind);
+  SunScore(ReferenceScene& reference, Kind kind);
 
   void Add(std::size_t sun, const SunOf& found);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightFieldCap.h"
 
+#include "HeightArray.h"
 #include "ShadowHeight/ShadowHeightCap.h"
 #include "WholeField.h"
 #include "vtkDataArray.h"
@@ -16,7 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <stdexcept>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeightFieldCap);
@@ -97,30 +98,26 @@ int vtkHeightFieldCap::RequestData(
   vtkImageData* input = vtkImageData::GetData(in[0]);
   vtkImageData* output = vtkImageData::GetData(out);
   vtkDataArray* heights = this->GetInputArrayToProcess(0, in);
-  if (heights == nullptr || heights->GetNumberOfTuples() != input->GetNumberOfPoints() ||
-    heights->GetNumberOfComponents() != 1 || input->GetDimensions()[2] != 1)
+  std::vector<double> posts;
+  const std::string failure = skyline::ReasonOfFailure(input,
+    [&]
+    {
+      skyline::CheckSurface(input);
+      skyline::CheckHeights(input, heights);
+      skyline::CheckWhole(in[0]->GetInformationObject(0));
+      posts.resize(static_cast<std::size_t>(heights->GetNumberOfTuples()));
+      for (vtkIdType post = 0; post < heights->GetNumberOfTuples(); ++post)
+      {
+        posts[static_cast<std::size_t>(post)] = heights->GetComponent(post, 0);
+      }
+      Cap(vtkPolyData::GetData(in[1]), input, posts);
+    });
+  if (!failure.empty())
   {
     output->Initialize();
-    vtkErrorMacro(
-      "the input has no heights of one slice: choose its array by SetInputArrayToProcess");
+    vtkErrorMacro(<< failure);
     return 0;
   }
-  std::vector<double> posts(static_cast<std::size_t>(heights->GetNumberOfTuples()));
-  for (vtkIdType post = 0; post < heights->GetNumberOfTuples(); ++post)
-  {
-    posts[static_cast<std::size_t>(post)] = heights->GetComponent(post, 0);
-  }
-  try
-  {
-    skyline::CheckWhole(in[0]->GetInformationObject(0));
-  }
-  catch (const std::invalid_argument& reason)
-  {
-    output->Initialize();
-    vtkErrorMacro(<< reason.what());
-    return 0;
-  }
-  Cap(vtkPolyData::GetData(in[1]), input, posts);
 
   const int type = heights->GetDataType() == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT;
   const auto raised = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));

@@ -61,7 +61,7 @@ bool GpuFilter::Attempt(
     this->OneTile = this->Harmonics->FitsOneTile(driver);
     compute();
     this->OnDevice = true;
-    this->Told.clear();
+    this->LastReason.clear();
     return true;
   }
   catch (const std::runtime_error& error)
@@ -123,12 +123,12 @@ void GpuFilter::RemoveUnread(vtkImageData* output, const char* name) const
 
 void GpuFilter::ReportFallback(vtkObject* filter, const std::string& reason)
 {
-  if (reason != this->Told)
+  if (reason != this->LastReason)
   {
     vtkErrorWithObjectMacro(
       filter, "the host computes in place of the graphics processor: " << reason);
   }
-  this->Told = reason;
+  this->LastReason = reason;
 }
 
 } // namespace skyline

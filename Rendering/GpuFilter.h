@@ -63,7 +63,7 @@ private:
   std::unique_ptr<GpuHarmonics> Harmonics;
   int Generation = 0;
   vtkMTimeType Time = 0;
-  std::string Told;
+  std::string LastReason;
 };
 
 } // namespace skyline

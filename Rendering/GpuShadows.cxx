@@ -257,12 +257,12 @@ GpuFailure GpuShadowPasses::Failure(vtkObject* filter)
 void GpuShadowPasses::ReportFallback(vtkObject* filter, const std::string& reason)
 {
   this->OnDevice = false;
-  if (reason != this->Told)
+  if (reason != this->LastReason)
   {
     vtkErrorWithObjectMacro(
       filter, "the host computes in place of the graphics processor: " << reason);
   }
-  this->Told = reason;
+  this->LastReason = reason;
 }
 
 GpuShadowExact::GpuShadowExact(

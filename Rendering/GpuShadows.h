@@ -83,7 +83,7 @@ private:
   vtkOpenGLHeightFieldDevice* Device = nullptr;
   int Generation = 0;
   vtkMTimeType Time = 0;
-  std::string Told;
+  std::string LastReason;
 };
 
 /// The method EXACT of vtkHeightFieldShadowHeight on the graphics processor.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PostValues.h"
 
-#include "Data/ImageGeoreference.h"
-#include "HeightField/Normals.h"
+#include "HorizonInput.h"
 #include "PostTexture.h"
 
 #include "vtkDataArray.h"
@@ -32,27 +31,19 @@ std::vector<float> PostValues(vtkDataArray* array, int first, int count, int col
 
 std::vector<float> PostGradients(vtkImageData* image, vtkDataArray* heights)
 {
-  const int* size = image->GetDimensions();
-  const Grid grid{ size[0], size[1], image->GetSpacing()[0], image->GetSpacing()[1] };
-  const Georeference place = LoadGeoreference(image);
-  const auto rows = static_cast<std::size_t>(size[1]);
-  const bool own = place.RowSpacingX.size() == rows && place.RowSpacingY.size() == rows;
+  const HorizonInput input(image, heights);
+  const Grid& grid = input.Posts();
   const auto posts = static_cast<std::size_t>(image->GetNumberOfPoints());
   std::vector<float> east(posts);
   std::vector<float> north(posts);
-  Gradients(
-    grid,
-    [&](std::ptrdiff_t column, std::ptrdiff_t row)
-    { return heights->GetComponent(row * grid.Columns + column, 0); },
-    0, grid.Rows, east.data(), north.data(), own ? place.RowSpacingX.data() : nullptr,
-    own ? place.RowSpacingY.data() : nullptr);
+  input.FillGradients(east.data(), north.data());
   std::vector<float> both(2 * posts);
   for (std::size_t post = 0; post < posts; ++post)
   {
     both[2 * post] = east[post];
     both[2 * post + 1] = north[post];
   }
-  FillMissing(both, static_cast<std::size_t>(size[0]), rows, 2);
+  FillMissing(both, static_cast<std::size_t>(grid.Columns), static_cast<std::size_t>(grid.Rows), 2);
   return both;
 }
 

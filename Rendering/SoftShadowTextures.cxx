@@ -8,6 +8,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
 
+#include <exception>
 #include <sstream>
 
 namespace skyline
@@ -147,8 +148,15 @@ std::string SoftShadowTextures::SendGradients(
   }
   const int* size = this->Image->GetDimensions();
   ++this->Uploads;
-  return ReasonUnless(this->Gradient.Upload(window, PostGradients(this->Image, heights), size[0],
-    size[1], 2, false, heights, heights->GetMTime()));
+  try
+  {
+    return ReasonUnless(this->Gradient.Upload(window, PostGradients(this->Image, heights), size[0],
+      size[1], 2, false, heights, heights->GetMTime()));
+  }
+  catch (const std::exception& error)
+  {
+    return error.what();
+  }
 }
 
 std::string SoftShadowTextures::SendReceiver(vtkOpenGLRenderWindow* window)

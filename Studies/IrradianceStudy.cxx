@@ -29,7 +29,7 @@ namespace
 {
 
 /// Azimuths of the reference: 7 per pixel of a map with 1024 columns.
-constexpr int TruthAzimuths = 7168;
+constexpr int ReferenceAzimuths = 7168;
 
 struct NamedMap
 {
@@ -73,10 +73,10 @@ Terrain ReadTerrain(const std::string& file, const std::vector<int>& part, int p
     }
     terrain.Chosen.push_back(row * box[2] + column);
     terrain.Horizon.emplace_back();
-    for (int a = 0; a < TruthAzimuths; ++a)
+    for (int a = 0; a < ReferenceAzimuths; ++a)
     {
       terrain.Horizon.back().push_back(std::atan(oracle::HorizonSlope(
-        terrain.Field, column, row, -Pi + 2.0 * Pi * (a + 0.5) / TruthAzimuths)));
+        terrain.Field, column, row, -Pi + 2.0 * Pi * (a + 0.5) / ReferenceAzimuths)));
     }
   }
   return terrain;
@@ -164,9 +164,9 @@ void Measure(const Terrain& terrain, const NamedMap& named)
     const auto horizon = [&](double azimuth)
     {
       return terrain.Horizon[k][static_cast<std::size_t>(
-        std::min((azimuth + Pi) / (2.0 * Pi), 1.0 - 1e-12) * TruthAzimuths)];
+        std::min((azimuth + Pi) / (2.0 * Pi), 1.0 - 1e-12) * ReferenceAzimuths)];
     };
-    truth.push_back(BruteLight(named.Map, 0.0, horizon, ge, gn, TruthAzimuths));
+    truth.push_back(BruteLight(named.Map, 0.0, horizon, ge, gn, ReferenceAzimuths));
   }
   const std::vector<TurnedLightMap> maps{ { named.Map.View(), 0.0 } };
   for (const int count : { 16, 32, 64, 128, 256 })
@@ -233,15 +233,15 @@ void MeasurePlaced(const Terrain& terrain)
       terrain.Chosen[k] / terrain.Field.Columns, ge, gn);
     AzimuthLight light;
     double sum = 0.0;
-    for (int a = 0; a < TruthAzimuths; ++a)
+    for (int a = 0; a < ReferenceAzimuths; ++a)
     {
       light.push_back(UniformLight(terrain.Horizon[k][static_cast<std::size_t>(a)],
-        -Pi + 2.0 * Pi * (a + 0.5) / TruthAzimuths, ge, gn));
+        -Pi + 2.0 * Pi * (a + 0.5) / ReferenceAzimuths, ge, gn));
       sum += light.back();
     }
     for (double& value : light)
     {
-      value *= TruthAzimuths / sum;
+      value *= ReferenceAzimuths / sum;
     }
     lights.push_back(std::move(light));
   }
@@ -255,7 +255,7 @@ void MeasurePlaced(const Terrain& terrain)
   for (const std::size_t count : { 32u, 64u, 128u, 256u, 512u })
   {
     std::vector<std::size_t> even;
-    for (std::size_t a = 0; a < TruthAzimuths; a += TruthAzimuths / count)
+    for (std::size_t a = 0; a < ReferenceAzimuths; a += ReferenceAzimuths / count)
     {
       even.push_back(a);
     }

@@ -30,5 +30,5 @@ def seconds(call):
     return min(times)
 
 
-own, door = seconds(by_class), seconds(lambda: skyline.sky_view(z, 10.0, AZIMUTHS))
-print(f"class {own:.3f} s, function {door:.3f} s: {door / own:.3f}")
+own, function = seconds(by_class), seconds(lambda: skyline.sky_view(z, 10.0, AZIMUTHS))
+print(f"class {own:.3f} s, function {function:.3f} s: {function / own:.3f}")

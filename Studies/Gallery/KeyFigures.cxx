@@ -135,7 +135,7 @@ class Study
 {
 public:
   Study(Studio& studio, const Scale& scale, Figure& figure, const Scene& scene)
-    : Room(studio)
+    : Painter(studio)
     , Sheet(figure)
     , Terrain(scene)
   {
@@ -182,7 +182,7 @@ private:
     {
       value *= static_cast<float>(Pi);
     }
-    return this->Room.Draw(this->Terrain.Heights, Grey(light), this->View);
+    return this->Painter.Draw(this->Terrain.Heights, Grey(light), this->View);
   }
 
   /// Adds a map below the view that was added last.
@@ -199,7 +199,7 @@ private:
         static_cast<int>(this->Terrain.Posts.Rows), full, this->View.Width, this->View.Height) });
   }
 
-  Studio& Room;
+  Studio& Painter;
   Figure& Sheet;
   const Scene& Terrain;
   Look View;
@@ -243,7 +243,7 @@ public:
     return CutOff(TransferShading(
       this->Terrain, ExactHorizons(this->Terrain), this->Extent, KeyAzimuths, this->Fitted));
   }
-  std::vector<ReferenceResult> Truths() const
+  std::vector<ReferenceResult> ReferenceResults() const
   {
     return { { "exact horizons", this->Exact, 1 }, { "direct", this->Whole, 2 } };
   }
@@ -297,7 +297,7 @@ Figure Compare(Studio& studio, const Scale& scale, const Scene& scene, const std
   for (const Setting& setting : settings)
   {
     const std::vector<float> shading = light.Published(setting.Horizons);
-    study.Add(setting.Name, shading, light.Truths());
+    study.Add(setting.Name, shading, light.ReferenceResults());
     if (creases)
     {
       study.AddCreases(3, setting.Name, shading);

@@ -158,7 +158,7 @@ class ConeDetail
 public:
   /// limit: the name of the result to which the panels converge.
   ConeDetail(Studio& studio, const Scale& scale, Figure& figure, const char* limit)
-    : Room(studio)
+    : Painter(studio)
     , Sheet(figure)
     , Source(SceneCalled("cones v2", scale))
     , Terrain(Source.Field)
@@ -189,14 +189,14 @@ public:
     const std::string& setting, const std::vector<float>& rgb, const std::vector<float>& limit)
   {
     this->Sheet.Rows[0].Panels.push_back(
-      { setting, this->Room.Draw(this->Terrain.Heights, rgb, this->View) });
+      { setting, this->Painter.Draw(this->Terrain.Heights, rgb, this->View) });
     this->AddMap(1, setting, this->LimitName, rgb, limit, FullRest);
     this->AddMap(2, setting, "direct", rgb, this->Heights, FullScale);
   }
-  void AddTruth()
+  void AddReference()
   {
-    this->Sheet.Rows[0].Panels.push_back(
-      { "direct integration", this->Room.Draw(this->Terrain.Heights, this->Heights, this->View) });
+    this->Sheet.Rows[0].Panels.push_back({ "direct integration",
+      this->Painter.Draw(this->Terrain.Heights, this->Heights, this->View) });
   }
 
 private:
@@ -213,7 +213,7 @@ private:
 
   static constexpr Region Cone{ { 32.0, 122.0, 160.0, 250.0 } };
 
-  Studio& Room;
+  Studio& Painter;
   Figure& Sheet;
   testing::ThesisScene Source;
   Scene Terrain;
@@ -233,7 +233,7 @@ Figure Azimuths(Studio& studio, const Scale& scale)
   {
     detail.Add(std::to_string(azimuths) + " azimuths", detail.Harmonics(azimuths, LevelStep), many);
   }
-  detail.AddTruth();
+  detail.AddReference();
   return figure;
 }
 
@@ -247,7 +247,7 @@ Figure Steps(Studio& studio, const Scale& scale)
   {
     detail.Add("ls = " + std::to_string(step), detail.Harmonics(SwathCount, step), exact);
   }
-  detail.AddTruth();
+  detail.AddReference();
   return figure;
 }
 

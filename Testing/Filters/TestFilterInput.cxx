@@ -4,12 +4,14 @@
 #include "FilterTesting.h"
 
 #include "Data/ImageGeoreference.h"
+#include "Data/MemoryDemand.h"
 #include "vtkCallbackCommand.h"
 #include "vtkExtractVOI.h"
 #include "vtkHeightFieldHorizon.h"
 #include "vtkHeightFieldSkyView.h"
 #include "vtkHeightFieldSunShadow.h"
 #include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -79,6 +81,31 @@ TEST(FilterInput, ACropWithThePlaceOfTheWhole)
   vtkNew<vtkHeightFieldSkyView> refusing;
   refusing->SetInputConnection(crop->GetOutputPort());
   ExpectRefusal(refusing, "posts, the height field has 10 x 12; cut the raster before");
+}
+
+// Ten percent more than the free memory of the machine; the field itself is small.
+TEST(FilterInput, MoreThanTheMemoryIsRefusedBeforeTheSearch)
+{
+  constexpr int azimuths = 3600;
+  const double side = std::sqrt(1.1 * FreeMemory() / (sizeof(float) * azimuths));
+  if (!(side < 10000.0))
+  {
+    GTEST_SKIP() << "the system does not tell its memory, or has terabytes of it";
+  }
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(static_cast<int>(side) + 2, static_cast<int>(side) + 2, 1);
+  vtkNew<vtkUnsignedCharArray> heights;
+  heights->SetNumberOfTuples(image->GetNumberOfPoints());
+  heights->FillValue(7);
+  image->GetPointData()->SetScalars(heights);
+  vtkNew<vtkHeightFieldHorizon> filter;
+  filter->SetInputData(image);
+  filter->SetNumberOfAzimuths(azimuths);
+  vtkNew<ErrorCatcher> errors;
+  errors->Watch(filter);
+  filter->Update();
+  EXPECT_NE(errors->Text.find("GB are free; ask for less"), std::string::npos) << errors->Text;
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 TEST(FilterInput, NoHeights)

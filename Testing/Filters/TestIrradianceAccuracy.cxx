@@ -19,7 +19,7 @@ namespace
 {
 
 /// Azimuths of the reference: 14 per pixel of the map, 0.1 degrees apart.
-constexpr int TruthAzimuths = 3584;
+constexpr int ReferenceAzimuths = 3584;
 
 constexpr std::ptrdiff_t MapColumns = 256, MapRows = 128;
 
@@ -48,10 +48,10 @@ struct Scene
       const std::ptrdiff_t row = 1 + random.Below(field.Rows - 2);
       this->Chosen.push_back(row * field.Columns + column);
       this->Horizon.emplace_back();
-      for (int a = 0; a < TruthAzimuths; ++a)
+      for (int a = 0; a < ReferenceAzimuths; ++a)
       {
         // In the middle between the edges of the strips of BruteLight.
-        const double azimuth = -Pi + 2.0 * Pi * (a + 0.5) / TruthAzimuths;
+        const double azimuth = -Pi + 2.0 * Pi * (a + 0.5) / ReferenceAzimuths;
         this->Horizon.back().push_back(
           std::atan(oracle::HorizonSlope(field, column, row, azimuth)));
       }
@@ -68,10 +68,10 @@ struct Scene
         this->Chosen[k] / this->Field.Columns, east, north);
       const auto horizon = [&](double azimuth)
       {
-        const double place = (azimuth + Pi) / (2.0 * Pi) * TruthAzimuths;
+        const double place = (azimuth + Pi) / (2.0 * Pi) * ReferenceAzimuths;
         return this->Horizon[k][static_cast<std::size_t>(place)];
       };
-      light.push_back(BruteLight(map, 0.0, horizon, east, north, TruthAzimuths));
+      light.push_back(BruteLight(map, 0.0, horizon, east, north, ReferenceAzimuths));
     }
     return light;
   }

@@ -12,9 +12,9 @@
 #include <fcntl.h>
 #include <vector>
 
-int SkylineMain(int argc, char** argv); // Tools/Main.cxx, renamed
+int SkylineMain(int argc, char** argv); // Tools/Commands/Main.cxx, renamed
 
-// Replaces Tools/Interrupt.cxx, whose use of the alarm signal would stop the clock of libFuzzer.
+// Replaces Tools/Shared/Interrupt.cxx, whose use of the alarm signal would stop the clock of libFuzzer.
 namespace skyline
 {
 void CatchInterrupts() {}

@@ -383,7 +383,7 @@ TEST(ReaderPosts, UsgsDemIsItsGeoTiff)
   }
 }
 
-TEST(ReaderPosts, GzipFilesGetNoNotes)
+TEST(ReaderPosts, GzipFilesGetNoPropertiesFile)
 {
   const std::filesystem::path packed = OutputPath("notes.dem.gz");
   const std::filesystem::path note = packed.string() + ".properties";

@@ -9,7 +9,7 @@ import time
 import Program
 from Program import ToolTest, UTM10, hills, make
 
-# Seconds from the signal to the end: the delay of Tools/Interrupt.h, plus time for a busy machine.
+# Seconds from the signal to the end: the delay of Tools/Shared/Interrupt.h, plus time for a busy machine.
 SOON = 10.0
 
 # Number of times that are tried, from before the start of the program to after its end.

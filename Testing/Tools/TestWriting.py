@@ -14,7 +14,7 @@ import zipfile
 import Program
 from Program import ToolTest, UTM10, gdal, hills, make, np
 
-# Seconds in which a signal must end the program: half a second is the delay of Tools/Interrupt.h,
+# Seconds in which a signal must end the program: half a second is the delay of Tools/Shared/Interrupt.h,
 # the rest is for a busy machine.
 SOON = 10.0
 

@@ -40,8 +40,8 @@ class TestCheckClasses(unittest.TestCase):
     def check(self, header, source=SOURCE, name="Filters/vtkHeightFieldMoon"):
         with tempfile.TemporaryDirectory() as scratch:
             root = Path(scratch)
-            for room in ("Module", "IO", "Filters", "Rendering", "Plugins", "Tools"):
-                (root / room).mkdir()
+            for folder in ("Module", "IO", "Filters", "Rendering", "Plugins", "Tools"):
+                (root / folder).mkdir()
             (root / f"{name}.h").write_text(header)
             (root / f"{name}.cxx").write_text(source)
             done = subprocess.run([CHECK, root], capture_output=True, text=True)

@@ -3,7 +3,11 @@
 #ifndef skyline_Commands_h
 #define skyline_Commands_h
 
+#include "UnusedOptions.h"
+
 #include <CLI/CLI.hpp>
+
+#include <memory>
 
 namespace skyline
 {
@@ -16,6 +20,19 @@ void AddIrradiance(CLI::App& program);   ///< light on each post, three bands
 void AddShade(CLI::App& program);        ///< a picture of the lit terrain
 void AddBenchmark(CLI::App& program);    ///< error against run time of each method, as a page
 void AddView(CLI::App& program);         ///< a window with the lit terrain
+
+/// Makes the command refuse unused options and then run, once it is parsed. T has
+/// Check(const UnusedOptions&) and Run().
+template <typename T>
+void RunAfterCheck(CLI::App& app, const std::shared_ptr<T>& command)
+{
+  app.callback(
+    [&app, command]
+    {
+      command->Check(UnusedOptions(app));
+      command->Run();
+    });
+}
 
 } // namespace skyline
 

@@ -3,7 +3,6 @@
 
 #include "Files.h"
 #include "Options.h"
-#include "UnusedOptions.h"
 
 #include "vtkHeightFieldHorizon.h"
 #include "vtkImageData.h"
@@ -56,12 +55,7 @@ void AddHorizon(CLI::App& program)
   command->Output.AddTo(*app, "GeoTIFF to write");
   command->Horizon.AddTo(*app);
   AddCommonOptions(*app, command->Common);
-  app->callback(
-    [command, app]
-    {
-      command->Check(UnusedOptions(*app));
-      command->Run();
-    });
+  RunAfterCheck(*app, command);
 }
 
 } // namespace skyline

@@ -6,7 +6,6 @@
 #include "Lights.h"
 #include "Options.h"
 #include "Shared/Constants.h"
-#include "UnusedOptions.h"
 #include "Values.h"
 
 #include "vtkHeightFieldIrradiance.h"
@@ -155,12 +154,7 @@ void AddIrradiance(CLI::App& program)
   needs.Method = "--horizon";
   command->Horizon.AddTo(*app, needs);
   AddCommonOptions(*app, command->Common);
-  app->callback(
-    [command, app]
-    {
-      command->Check(UnusedOptions(*app));
-      command->Run();
-    });
+  RunAfterCheck(*app, command);
 }
 
 } // namespace skyline

@@ -11,7 +11,6 @@
 #include "Perspective.h"
 #include "PicturePasses.h"
 #include "SunLight.h"
-#include "UnusedOptions.h"
 #include "Values.h"
 
 #include "vtkHeightFieldAlgorithm.h"
@@ -84,7 +83,7 @@ struct ShadeCommand
       throw skyline::WrongUsage("--output: a perspective picture's name ends in .png");
     }
     options.Refuse(this->View != "perspective", { "--size", "--from" },
-      "a map has a pixel a post, seen from above; leave it out, or add --view perspective");
+      "a map has one pixel per post, seen from above; leave it out, or add --view perspective");
     options.Refuse(format != PictureFormat::Tiff, { "--cloud-optimized" },
       "only a GeoTIFF can be; leave it out, or name the output .tif");
     options.Refuse(format == PictureFormat::Exr, { "--exposure" },
@@ -235,19 +234,14 @@ void AddShade(CLI::App& program)
   app
     ->add_option("--view", command->View,
       "map: seen from above, one pixel a post;\n"
-      "perspective: seen from beside, drawn by OpenGL, without a window system where EGL is at hand")
+      "perspective: seen from beside, drawn by OpenGL, without a window system if EGL is installed")
     ->check(OneOf({ "map", "perspective" }))
     ->type_name("NAME")
     ->capture_default_str();
   command->Perspective.AddTo(*app);
   command->Horizon.AddTo(*app);
   AddCommonOptions(*app, command->Common);
-  app->callback(
-    [command, app]
-    {
-      command->Check(UnusedOptions(*app));
-      command->Run();
-    });
+  RunAfterCheck(*app, command);
 }
 
 } // namespace skyline

@@ -5,7 +5,6 @@
 #include "LightOptions.h"
 #include "Options.h"
 #include "SunLight.h"
-#include "UnusedOptions.h"
 
 #include "vtkHeightFieldShadowHeight.h"
 #include "vtkImageData.h"
@@ -93,12 +92,7 @@ void AddShadowHeight(CLI::App& program)
   needs.Heights = true;
   command->Horizon.AddTo(*app, needs);
   AddCommonOptions(*app, command->Common);
-  app->callback(
-    [command, app]
-    {
-      command->Check(UnusedOptions(*app));
-      command->Run();
-    });
+  RunAfterCheck(*app, command);
 }
 
 } // namespace skyline

@@ -3,7 +3,6 @@
 
 #include "Files.h"
 #include "Options.h"
-#include "UnusedOptions.h"
 #include "Values.h"
 
 #include "vtkHeightFieldSkyView.h"
@@ -118,12 +117,7 @@ void AddSkyView(CLI::App& program)
     ->type_name("METRES");
   command->Horizon.AddTo(*app);
   AddCommonOptions(*app, command->Common);
-  app->callback(
-    [command, app]
-    {
-      command->Check(UnusedOptions(*app));
-      command->Run();
-    });
+  RunAfterCheck(*app, command);
 }
 
 } // namespace skyline

@@ -8,7 +8,6 @@
 #include "Sun/Eclipse.h"
 #include "Sun/UtcTime.h"
 #include "SunLight.h"
-#include "UnusedOptions.h"
 
 #include "Data/ImageGeoreference.h"
 #include "vtkHeightFieldSunShadow.h"
@@ -136,12 +135,7 @@ void AddSun(CLI::App& program)
   needs.Azimuths = false;
   command->Horizon.AddTo(*app, needs);
   AddCommonOptions(*app, command->Common);
-  app->callback(
-    [command, app]
-    {
-      command->Check(UnusedOptions(*app));
-      command->Run();
-    });
+  RunAfterCheck(*app, command);
 }
 
 } // namespace skyline

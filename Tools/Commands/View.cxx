@@ -6,7 +6,6 @@
 #include "LookOptions.h"
 #include "Options.h"
 #include "Perspective.h"
-#include "UnusedOptions.h"
 
 #include "GlfwWindow.h"
 #include "Viewer.h"

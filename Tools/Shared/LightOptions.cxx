@@ -8,6 +8,8 @@
 
 #include "vtkSkylineSunLight.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

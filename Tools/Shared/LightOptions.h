@@ -7,7 +7,10 @@
 #include "LightDescription.h"
 #include "RunPass.h"
 
-#include <CLI/CLI.hpp>
+namespace CLI
+{
+class App;
+}
 
 namespace skyline
 {

@@ -4,6 +4,8 @@
 #include "Color/ColorMaps.h"
 #include "Values.h"
 
+#include <CLI/CLI.hpp>
+
 #include <vector>
 
 namespace

@@ -3,10 +3,13 @@
 #ifndef skyline_LookOptions_h
 #define skyline_LookOptions_h
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
+
+namespace CLI
+{
+class App;
+}
 
 namespace skyline
 {

@@ -7,6 +7,8 @@
 
 #include "vtkImageData.h"
 
+#include <CLI/CLI.hpp>
+
 #include <limits>
 #include <vector>
 

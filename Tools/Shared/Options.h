@@ -8,8 +8,6 @@
 
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +15,11 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 VTK_ABI_NAMESPACE_END
+
+namespace CLI
+{
+class App;
+}
 
 namespace skyline
 {

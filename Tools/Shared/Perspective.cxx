@@ -19,6 +19,8 @@
 #include "vtkSkylineSoftShadowPolyDataMapper.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cmath>
 

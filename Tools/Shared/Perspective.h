@@ -8,14 +8,17 @@
 #include "vtkSkylineABINamespace.h" // for the ABI namespace
 #include "vtkSmartPointer.h"
 
-#include <CLI/CLI.hpp>
-
 #include <array>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 VTK_ABI_NAMESPACE_END
+
+namespace CLI
+{
+class App;
+}
 
 namespace skyline
 {

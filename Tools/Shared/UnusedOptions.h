@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Refuses options that have no effect together with the other options.
-#ifndef skyline_IdleOptions_h
-#define skyline_IdleOptions_h
+#ifndef skyline_UnusedOptions_h
+#define skyline_UnusedOptions_h
 
 #include "RunPass.h"
 
-#include <CLI/CLI.hpp>
-
 #include <initializer_list>
 #include <string>
+
+namespace CLI
+{
+class App;
+}
 
 namespace skyline
 {

@@ -12,7 +12,7 @@
 namespace
 {
 
-constexpr double DegreesAnHour = 15.0;
+constexpr double DegreesPerHour = 15.0;
 constexpr double LastMinute = skyline::SunClock::MinutesOfDay - 1.0 / 60.0;
 
 template <typename... Numbers>
@@ -30,7 +30,7 @@ namespace skyline
 
 int NauticalZone(double longitude)
 {
-  return static_cast<int>(std::lround(std::remainder(longitude, 360.0) / DegreesAnHour));
+  return static_cast<int>(std::lround(std::remainder(longitude, 360.0) / DegreesPerHour));
 }
 
 SunClock::SunClock(const std::string& time, int zone)

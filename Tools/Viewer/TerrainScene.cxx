@@ -185,7 +185,7 @@ void TerrainScene::Prepare()
     const double peak = std::max({ lamp.Radiance[0], lamp.Radiance[1], lamp.Radiance[2], 1.0e-30 });
     this->Balls[k]->SetPosition(center[0], center[1], center[2]);
     this->Balls[k]->SetScale(
-      std::max(lamp.Radius, 0.5 * LeastLampPixels * this->MetresAPixelAt(center)));
+      std::max(lamp.Radius, 0.5 * LeastLampPixels * this->MetresPerPixelAt(center)));
     vtkProperty* look = this->Balls[k]->GetProperty();
     look->SetColor(EncodeSrgb(static_cast<float>(lamp.Radiance[0] / peak)),
       EncodeSrgb(static_cast<float>(lamp.Radiance[1] / peak)),
@@ -293,7 +293,7 @@ double TerrainScene::GetHeading() const
   return heading < 0.0 ? heading + 360.0 : heading;
 }
 
-double TerrainScene::MetresAPixelAt(const ScenePoint& place) const
+double TerrainScene::MetresPerPixelAt(const ScenePoint& place) const
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   const double* eye = camera->GetPosition();
@@ -313,7 +313,7 @@ double TerrainScene::GetMetresPerPixel() const
   {
     this->Renderer->GetActiveCamera()->GetFocalPoint(place.data());
   }
-  return this->MetresAPixelAt(place);
+  return this->MetresPerPixelAt(place);
 }
 
 } // namespace skyline

@@ -88,7 +88,7 @@ private:
   };
   Mesh MakeMeshActors(double posts);
   ScenePoint CenterOf(const ViewerLamp& lamp) const;
-  double MetresAPixelAt(const ScenePoint& place) const;
+  double MetresPerPixelAt(const ScenePoint& place) const;
 
   vtkSmartPointer<vtkImageData> Heights;
   vtkSmartPointer<vtkRenderer> Renderer;

@@ -45,7 +45,7 @@ namespace skyline
 
 Viewer::Viewer(vtkRenderWindow* window, const ViewerOptions& options, const CommonOptions& common)
   : Options(options)
-  , Told(common)
+  , Common(common)
   , Window(window)
   , Lights(options.Lights, common)
 {
@@ -74,7 +74,7 @@ Viewer::~Viewer()
 
 void Viewer::Open(const TerrainOptions& terrain)
 {
-  const auto image = ReadTerrain(terrain, this->Told);
+  const auto image = ReadTerrain(terrain, this->Common);
   auto scene = std::make_unique<TerrainScene>(image); // throws if there is nothing to see
   this->Lights.SetTerrain(image);
   // Nothing can fail from here on.

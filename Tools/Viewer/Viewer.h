@@ -99,7 +99,7 @@ private:
   HudContent MakeHud();
 
   ViewerOptions Options;
-  CommonOptions Told;
+  CommonOptions Common;
   vtkSmartPointer<vtkRenderWindow> Window;
   ViewerState State;
 

@@ -37,13 +37,13 @@ namespace skyline
 
 ViewerLights::ViewerLights(const LightDescription& asked, const CommonOptions& common)
   : Asked(asked)
-  , Told(common)
+  , Common(common)
 {
 }
 
 void ViewerLights::SetTerrain(vtkImageData* terrain)
 {
-  this->Middle = CenterOf(terrain, this->Told);
+  this->Middle = CenterOf(terrain, this->Common);
   this->Terrain = terrain;
 }
 
@@ -99,7 +99,7 @@ void ViewerLights::Take(ViewerState& state)
   }
   for (const LampDescription& lamp : asked.Lamps)
   {
-    const auto ball = MakeLamp(lamp, this->Terrain, this->Told);
+    const auto ball = MakeLamp(lamp, this->Terrain, this->Common);
     const double* at = ball->GetPosition();
     const double ground = GroundOrZero(this->Terrain, state.Exaggeration, at[0], at[1]);
     state.AddLamp({ at[0], at[1], at[2] - ground, lamp.Radius, lamp.Radiance });
@@ -115,7 +115,7 @@ vtkSmartPointer<vtkSkylineEnvironmentLight> ViewerLights::Find(const SkyDescript
   auto& known = this->Environments[sky.Text];
   if (!known)
   {
-    known = MakeSky(sky, this->Told);
+    known = MakeSky(sky, this->Common);
   }
   return known;
 }

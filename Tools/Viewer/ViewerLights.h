@@ -50,7 +50,7 @@ public:
 
 private:
   LightDescription Asked;
-  CommonOptions Told;
+  CommonOptions Common;
   vtkSmartPointer<vtkImageData> Terrain;
   Center Middle;
   std::map<std::string, vtkSmartPointer<vtkSkylineEnvironmentLight>> Environments;

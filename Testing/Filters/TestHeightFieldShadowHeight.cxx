@@ -110,22 +110,22 @@ void ExpectTheSamePosts(vtkImageData* image, double elevation)
   ::testing::Test::RecordProperty("different", std::to_string(all.Different));
 }
 
-TEST(ShadowHeightMap, DarkensThePostsThatSeeNoSunOnStHelens)
+TEST(HeightFieldShadowHeight, DarkensThePostsThatSeeNoSunOnStHelens)
 {
   ExpectTheSamePosts(StHelens(), 13.0); // with the Earth's curvature
 }
 
-TEST(ShadowHeightMap, DarkensThePostsThatSeeNoSunAmongHouses)
+TEST(HeightFieldShadowHeight, DarkensThePostsThatSeeNoSunAmongHouses)
 {
   ExpectTheSamePosts(Houses(), 27.0);
 }
 
-TEST(ShadowHeightMap, DarkensThePostsThatSeeNoSunBesideMissingOnes)
+TEST(HeightFieldShadowHeight, DarkensThePostsThatSeeNoSunBesideMissingOnes)
 {
   ExpectTheSamePosts(WithHoles(), 17.0);
 }
 
-TEST(ShadowHeightMap, DoesNotDependOnThreads)
+TEST(HeightFieldShadowHeight, DoesNotDependOnThreads)
 {
   const auto image = WithHoles();
   for (const int method : { vtkHeightFieldShadowHeight::EXACT, vtkHeightFieldShadowHeight::SWEEP })
@@ -166,7 +166,7 @@ vtkSmartPointer<vtkImageData> Ridge()
 constexpr vtkIdType RidgeRow = 15 * 201;
 constexpr double Metre = 1e-3; // floats near 600 m
 
-TEST(ShadowHeightMap, LimbsOfARidge)
+TEST(HeightFieldShadowHeight, LimbsOfARidge)
 {
   vtkNew<vtkHeightFieldShadowHeight> map;
   map->SetInputData(Ridge());
@@ -202,7 +202,7 @@ TEST(ShadowHeightMap, LimbsOfARidge)
   EXPECT_NEAR(ArrayOf(map, "ShadowHeight")->GetValue(RidgeRow), 500.0 - 2.0 * tangent(20.0), Metre);
 }
 
-TEST(ShadowHeightMap, SunsThatHaveNotRisen)
+TEST(HeightFieldShadowHeight, SunsThatHaveNotRisen)
 {
   vtkNew<vtkHeightFieldShadowHeight> map;
   map->SetInputData(WithHoles());
@@ -238,7 +238,7 @@ std::string ErrorOf(vtkHeightFieldShadowHeight* map)
   return catcher->Text;
 }
 
-TEST(ShadowHeightMap, RefusesInOneLine)
+TEST(HeightFieldShadowHeight, RefusesInOneLine)
 {
   vtkNew<vtkHeightFieldShadowHeight> map;
   map->SetSunElevation(91.0);
