@@ -14,7 +14,7 @@
 
 int SkylineMain(int argc, char** argv); // Tools/Main.cxx, renamed
 
-// Replaces Tools/Interrupt.cxx, whose use of the alarm signal would stop the clock of libFuzzer.
+// Replaces Tools/Shared/Interrupt.cxx, whose use of the alarm signal would stop the clock of libFuzzer.
 namespace skyline
 {
 void CatchInterrupts() {}
