@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tower beside a hill: the shadow of the hill falls on the walls of the tower, and the shadow of the
-// tower falls on the ground.
+// A tower beside a hill: the shadow of the hill falls on the walls of the tower, and the shadow of
+// the tower falls on the ground.
 //
 // Usage: BuildingShadows OUT.png
 #include "vtkActor.h"
@@ -74,11 +74,11 @@ int main(int argc, char* argv[])
   }
   const vtkNew<vtkImageData> hill = MakeHill();
 
-  // The building: any polygons in the coordinates of the image. They are small, so that the edges of
-  // shadows are visible on them.
+  // The building: any polygons in the coordinates of the image. They are small, so that the edges
+  // of shadows are visible on them.
   vtkNew<vtkTessellatedBoxSource> model;
-  // The walls reach nearly to the next posts, so that the light of the roof is not interpolated onto
-  // the ground beside it.
+  // The walls reach nearly to the next posts, so that the light of the roof is not interpolated
+  // onto the ground beside it.
   model->SetBounds(224.05, 250.95, 194.05, 220.95, 0.0, 80.0);
   model->SetLevel(60);
 

@@ -3,8 +3,8 @@
 //
 // Usage: DrapedTexture DEM OUT.png
 //
-// Here, the picture is computed from the heights. You can use any RGB image, for instance the output of
-// vtkPNGReader.
+// Here, the picture is computed from the heights. You can use any RGB image, for instance the
+// output of vtkPNGReader.
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkHeightFieldIrradiance.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sun over a DEM during one day: a picture for each of several hours, and all of them side by side.
+// The sun over a DEM during one day: a picture for each of several hours, and all of them side by
+// side.
 //
 // Usage: SunOverADay DEM STRIP.png [FRAMES_FOLDER]
 //

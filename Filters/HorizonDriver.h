@@ -35,8 +35,8 @@ class SKYLINEFILTERS_EXPORT HorizonDriver
 {
 public:
   /// `settings` says how horizons are found; its CurvatureDrop is replaced by that of the input
-  /// (HorizonInput::CurvatureDrop). `pyramids` keeps the pyramid of the method Pyramid; null: one is built
-  /// for each run. `input` and `pyramids` must outlive the driver.
+  /// (HorizonInput::CurvatureDrop). `pyramids` keeps the pyramid of the method Pyramid; null: one
+  /// is built for each run. `input` and `pyramids` must outlive the driver.
   HorizonDriver(
     HorizonInput& input, const HorizonSettings& settings, PyramidCache* pyramids = nullptr);
 

@@ -214,10 +214,11 @@ std::optional<Doubt> HorizonInput::BendingDoubt() const
   {
     return std::nullopt;
   }
-  return Doubt{ "the map bends far rays: at " + std::to_string(std::lround(bending.Length)) +
-      " m distances are wrong by up to " + ShortText(100.0 * bending.Distance) +
-      " % and directions by up to " + ShortText(bending.Azimuth) + " degrees",
-    "rays straight on the map, with the lengths at their receiver", WarpCure };
+  return Doubt{ "the map bends long rays: at a distance of " +
+      std::to_string(std::lround(bending.Length)) + " m, distances are wrong by up to " +
+      ShortText(100.0 * bending.Distance) + " % and directions by up to " +
+      ShortText(bending.Azimuth) + " degrees",
+    "rays are straight on the map, with the lengths at their receivers", WarpCure };
 }
 
 std::optional<Doubt> HorizonInput::OneMetricDoubt(

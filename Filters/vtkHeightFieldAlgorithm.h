@@ -41,7 +41,8 @@ public:
   vtkTypeMacro(vtkHeightFieldAlgorithm, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The methods that find horizons. Documentation/horizon.md compares them.
+  /// The methods that find horizons. Documentation/architecture.md describes them, and
+  /// Documentation/benchmark.md compares them.
   enum MethodType
   {
     EXACT = 0,  ///< uses every edge of the surface that can matter
@@ -85,9 +86,9 @@ public:
   ///@}
 
   ///@{
-  /// Set/Get the coefficient k of terrestrial refraction: terrain at distance d appears lower by (1
-  /// - k) d^2 / 2R. It is used on the Earth only. The default is 0.13; the range is -100 to below
-  /// 1. Other values are an error of the update.
+  /// Set/Get the coefficient k of terrestrial refraction: terrain at distance d appears lower by
+  /// (1 - k) d^2 / 2R. It is used on the Earth only. The default is 0.13; the range is -100 to
+  /// below 1. Other values are an error of the update.
   vtkSetMacro(RefractionCoefficient, double);
   vtkGetMacro(RefractionCoefficient, double);
   ///@}

@@ -5,8 +5,8 @@
  *
  * Adds the float array `Irradiance` with the components R, G and B: the integral of L V max(0, n.d)
  * over all directions d, for the sum of all lights. L is the radiance of the lights, V the
- * visibility, and n the normal at the post, or the vertical with Horizontal. A white Lambertian
- * surface sends out Irradiance / pi. Environments, suns and key lights count only above the
+ * visibility, and n the normal at the post, or the vertical with Horizontal. The radiance of a white
+ * Lambertian surface is Irradiance / pi. Environments, suns and key lights count only above the
  * horizontal plane; lamps count wherever they are.
  *
  * The cost depends on the lights. All environments and large key lights share one pass over
@@ -54,7 +54,7 @@ public:
   enum QuadratureType
   {
     CONSTANT = 0, ///< each horizon stands for its whole swath (Timonen & Westerholm 2010)
-    BLEND = 1,    ///< light between two azimuths is shared between them by its distance
+    BLEND = 1,    ///< light between two azimuths counts for both horizons, weighted by nearness
     LINEAR = 2    ///< horizons are linear between azimuths; takes one more float per post
   };
 

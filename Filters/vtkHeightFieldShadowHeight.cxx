@@ -160,7 +160,7 @@ bool vtkHeightFieldShadowHeight::Compute(skyline::HorizonDriver& driver, vtkImag
     degrees << sun.Elevation;
     driver.AddDoubt(
       { "the sun's centre stands at " + degrees.str() + " degrees, not above the horizontal plane",
-        "that all is in its shadow at any height: ShadowHeight is infinite, and nodata in a raster",
+        "everything is in shadow at any height: ShadowHeight is infinite, and nodata in a raster",
         "" });
   }
   bool finished = this->AddShadow(

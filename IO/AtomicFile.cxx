@@ -109,7 +109,7 @@ const char* AdviceFor(int error)
     case EFBIG:
       return "; free some space or choose another place";
     case ENXIO:
-      return " (nobody reads from it); start its reader";
+      return " (no program reads from it); start the program that reads it";
     default:
       return "; choose another place";
   }

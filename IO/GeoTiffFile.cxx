@@ -324,7 +324,7 @@ private:
     {
       if (!ReadCrs(place.Crs, crs))
       {
-        this->File.Fail("the CRS of its field data is no CRS that PROJ knows");
+        this->File.Fail("the CRS in the field data of the input is not known to PROJ");
       }
       this->Check(this->Dataset->SetSpatialRef(&crs) == CE_None);
     }
@@ -450,7 +450,7 @@ private:
     RunInBatches(jobs, work, finish);
     if (!table.Save())
     {
-      this->File.Fail("the file is too large for its kind of TIFF");
+      this->File.Fail("the file is too large for this type of TIFF");
     }
     this->CheckWrite(table.GetError());
     return true;

@@ -53,7 +53,7 @@ void CheckThreads()
   {
     throw IoFailure(vtkErrorCode::UnknownError,
       "images cannot be read or written: OpenImageIO needs " + std::to_string(LibraryThreads) +
-        " threads, and the system gives fewer; raise its limit (ulimit -u), or write a .tif");
+        " threads, and the system allows fewer; raise its limit (ulimit -u), or write a .tif");
   }
 }
 
@@ -75,7 +75,7 @@ const ImageLibrary* Load()
     const char* const reason = ::dlerror();
     throw IoFailure(vtkErrorCode::UnknownError,
       "images cannot be read or written: " + FirstLine(reason ? reason : "unknown") +
-        "; install Skyline whole, and OpenImageIO with it");
+        "; install Skyline completely, together with OpenImageIO");
   }
   return reinterpret_cast<ImageLibraryFunction>(function)();
 }

@@ -215,7 +215,7 @@ void RasterSource::CheckSpacing() const
       std::array<char, 32> text{};
       std::snprintf(text.data(), text.size(), "%.6g", spacing);
       this->Refuse("its posts are " + std::string(text.data()) +
-        " m apart, and 1e-9 to 1e9 m can be used; correct its corners (gdal_edit.py -a_ullr)");
+        " m apart, but must be 1e-9 to 1e9 m apart; correct its corners (gdal_edit.py -a_ullr)");
     }
   }
 }
@@ -526,7 +526,7 @@ void RasterSource::ReadAs(const PostWindow& window, T* heights, const ProgressFu
     {
       this->Doubts.push_back({ "no post of '" + this->File + "' has the nodata value " +
           HeightCensus::Text(this->FurtherNodata[i], false),
-        "no post is missing by it", "" });
+        "it marks no missing post", "" });
     }
   }
   this->DoubtHeights(census);

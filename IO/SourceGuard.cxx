@@ -207,7 +207,7 @@ bool SourceGuard::MayRead(const std::string& path)
   {
     return true;
   }
-  this->Refuse((path == this->File ? "its" : "it leads to '" + path + "', whose") +
+  this->Refuse((path == this->File ? "its" : "it refers to '" + path + "', whose") +
     std::string(" netCDF header declares more data than the file holds; fetch the file again"));
   return false;
 }
@@ -264,7 +264,7 @@ std::string SourceGuard::DriverRefusal(const std::string& name)
   {
     return "";
   }
-  const std::string what = name == this->File ? "it is" : "it leads to '" + name + "',";
+  const std::string what = name == this->File ? "it is" : "it refers to '" + name + "',";
   return what + " of the format " + kind + ", which is not opened by default; use --driver " +
     kind + " if you trust it (and --allow-network if it lies on a server)";
 }
@@ -283,7 +283,7 @@ bool SourceGuard::MayUseNetwork(const char* name)
   {
     const std::string what = name;
     this->Refuse((what == this->File ? "it lies on the network"
-                                     : "it leads to '" + what + "' on the network") +
+                                     : "it refers to '" + what + "' on the network") +
       "; use --allow-network if you trust it");
   }
   return this->Policy.AllowNetwork;
@@ -303,7 +303,7 @@ bool SourceGuard::MayUseSystem(const char* prefix, const char* name)
   {
     return true;
   }
-  this->Refuse("it leads to '" + std::string(name) +
+  this->Refuse("it refers to '" + std::string(name) +
     "', outside its folder; use --allow-elsewhere if you trust it");
   return false;
 }
@@ -325,7 +325,7 @@ bool SourceGuard::MayTouch(const char* path, bool create)
   if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
   {
     // Opening a pipe that nobody writes would wait forever.
-    this->Refuse("it leads to '" + name + "', a pipe or a device; name a regular file in it");
+    this->Refuse("it refers to '" + name + "', a pipe or a device; name a regular file in it");
     return false;
   }
   if (this->Policy.AllowElsewhere)
@@ -342,7 +342,7 @@ bool SourceGuard::MayTouch(const char* path, bool create)
   if (!machine)
   {
     this->Refuse(
-      "it leads to '" + name + "', outside its folder; use --allow-elsewhere if you trust it");
+      "it refers to '" + name + "', outside its folder; use --allow-elsewhere if you trust it");
   }
   return false;
 }

@@ -154,7 +154,7 @@ bool Wait(const std::string& file, int stream, double patience, const std::funct
     if (waited.count() > StreamSpool::SilencePatience)
     {
       Fail(file,
-        "nothing came for " + std::to_string(static_cast<int>(StreamSpool::SilencePatience)) +
+        "no data arrived for " + std::to_string(static_cast<int>(StreamSpool::SilencePatience)) +
           " s; write its bytes to a file first");
     }
   }
@@ -176,9 +176,9 @@ void Copy(const std::string& file, int stream, int target, const std::function<b
       if (!ready)
       {
         Fail(file,
-          "it is a pipe that no program wrote for " +
+          "it is a pipe to which no program wrote for " +
             std::to_string(static_cast<int>(StreamSpool::WriterPatience)) +
-            " s; start the program that writes it first");
+            " s; start the program that writes to it first");
       }
       break;
     }

@@ -10,7 +10,8 @@
  *
  * The top line of the picture is the last row of the image (north). The numbers are written
  * unchanged; exposure and transfer curve must already be applied. 8-bit colour must not be
- * premultiplied by alpha, and linear colour must be. For errors and aborts see vtkHeightFieldFileWriter.
+ * premultiplied by alpha, and linear colour must be. For errors and aborts see
+ * vtkHeightFieldFileWriter.
  */
 #ifndef vtkHeightFieldPictureWriter_h
 #define vtkHeightFieldPictureWriter_h

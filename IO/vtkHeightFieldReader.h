@@ -8,17 +8,17 @@
  * the order in the file. Rotated and sheared rasters are refused.
  *
  * Spacing is in metres: the steps of the CRS or, if these are not true lengths, those on the ground
- * along the centre row (see Documentation/distances.md). Origin is the south-west post in CRS coordinates, in
- * metres, on a projected or local map, and 0 on a geographic one. Heights in feet, with a scale and
- * an offset, or with missing posts (nodata, mask, alpha, NaN, infinite values) become float, or
- * double if float would lose digits; missing posts are NaN. Other integers keep their type. The
- * unit of the heights is that of the band, else that of the vertical part of the CRS, else metres.
- * Heights are taken to count upwards even if the CRS says that they are depths.
+ * along the centre row (see Documentation/distances.md). Origin is the south-west post in CRS
+ * coordinates, in metres, on a projected or local map, and 0 on a geographic one. Heights in feet,
+ * with a scale and an offset, or with missing posts (nodata, mask, alpha, NaN, infinite values)
+ * become float, or double if float would lose digits; missing posts are NaN. Other integers keep
+ * their type. The unit of the heights is that of the band, else that of the vertical part of the
+ * CRS, else metres. Heights are taken to count upwards even if the CRS says that they are depths.
  *
- * Field data holds the georeference of the requested extent; only that
- * part of the file is read. Spacing and RowSpacing are those of the whole raster, so that a part
- * has the same values as the whole there. NodataValue is the value that the file declares for
- * missing posts, else the first finite value of AddNodata.
+ * The field data hold the georeference of the requested extent; only that part of the file is read.
+ * Spacing and RowSpacing are those of the whole raster, so that a result for a part equals the
+ * result for the whole there. NodataValue is the value that the file declares for missing posts,
+ * else the first finite value of AddNodata.
  *
  * Input that may not mean what it seems to mean is used with a warning (WarningEvent), which says
  * what was found, what is assumed, and how to change that. Examples are heights that look like

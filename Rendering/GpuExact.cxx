@@ -80,7 +80,7 @@ bool GpuExact::Load(const HeightField& field, std::uint64_t, const HorizonSettin
   this->Side = this->Limits.Side > 0 ? std::min(this->Limits.Side, limit) : limit;
   if (this->Side < 2)
   {
-    throw std::runtime_error("a texture takes less than two posts: raise the texture limit");
+    throw std::runtime_error("a texture holds fewer than two posts: raise the texture limit");
   }
   const int columns = static_cast<int>(field.Posts().Columns);
   const int rows = static_cast<int>(field.Posts().Rows);

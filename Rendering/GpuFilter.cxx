@@ -126,7 +126,7 @@ void GpuFilter::ReportFallback(vtkObject* filter, const std::string& reason)
   if (reason != this->LastReason)
   {
     vtkErrorWithObjectMacro(
-      filter, "the host computes in place of the graphics processor: " << reason);
+      filter, "the host computes instead of the graphics processor: " << reason);
   }
   this->LastReason = reason;
 }

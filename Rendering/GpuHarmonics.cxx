@@ -118,7 +118,7 @@ bool GpuHarmonics::FitsOneTile(HorizonDriver& driver)
   this->Side = this->Limits.Side > 0 ? std::min(this->Side, this->Limits.Side) : this->Side;
   if (this->Side < 1)
   {
-    throw std::runtime_error("OpenGL takes no textures");
+    throw std::runtime_error("OpenGL allows no textures");
   }
   return std::max(grid.Columns, grid.Rows) <= this->Side;
 }

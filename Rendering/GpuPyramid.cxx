@@ -154,7 +154,7 @@ void GpuPyramid::MakeTileImages(int side, int layers)
   this->Side = std::min(side - 1, TileWithCasters);
   if (this->Side < 1)
   {
-    throw std::runtime_error("a texture takes less than two posts: raise the texture limit");
+    throw std::runtime_error("a texture holds fewer than two posts: raise the texture limit");
   }
   const int reach = this->Side + 1;
   this->Receivers = Checked(this->Device.Stack(reach, reach, layers, this->Components));

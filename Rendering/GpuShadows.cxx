@@ -84,7 +84,7 @@ void GpuShadows::Load(const HeightField& field)
   if (std::max(this->Columns, this->Rows) > side)
   {
     throw std::runtime_error(std::to_string(this->Columns) + " x " + std::to_string(this->Rows) +
-      " posts exceed the largest texture, " + std::to_string(side) + " a side");
+      " posts exceed the largest texture, " + std::to_string(side) + " posts per side");
   }
   std::vector<float> values;
   values.reserve(static_cast<std::size_t>(grid.Columns * grid.Rows));
@@ -260,7 +260,7 @@ void GpuShadowPasses::ReportFallback(vtkObject* filter, const std::string& reaso
   if (reason != this->LastReason)
   {
     vtkErrorWithObjectMacro(
-      filter, "the host computes in place of the graphics processor: " << reason);
+      filter, "the host computes instead of the graphics processor: " << reason);
   }
   this->LastReason = reason;
 }

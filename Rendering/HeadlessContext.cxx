@@ -86,14 +86,14 @@ bool HeadlessContext::Create(int device)
     this->Reason = "EGL has no platforms without a window system";
     return false;
   }
-  this->Reason = "EGL shows no device";
+  this->Reason = "EGL lists no device";
   const std::vector<void*> devices = ListDevices(extensions);
   if (device >= 0)
   {
     const auto i = static_cast<std::size_t>(device);
     if (i >= devices.size())
     {
-      this->Reason = "EGL has no device " + std::to_string(device) + ", it shows " +
+      this->Reason = "EGL has no device " + std::to_string(device) + ", it lists " +
         std::to_string(devices.size());
       return false;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The mode RECEIVER of vtkSkylineSoftShadowShader: a texture of shadow heights, and the sun that casts the
-// shadow.
+// The mode RECEIVER of vtkSkylineSoftShadowShader: a texture of shadow heights, and the sun that
+// casts the shadow.
 #ifndef skyline_ReceiverLight_h
 #define skyline_ReceiverLight_h
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The textures that a soft shadow shader reads: arrays of a height field, at the resolution of its posts.
+// The textures that a soft shadow shader reads: arrays of a height field, at the resolution of its
+// posts.
 #ifndef skyline_SoftShadowTextures_h
 #define skyline_SoftShadowTextures_h
 
@@ -26,8 +27,8 @@ VTK_ABI_NAMESPACE_END
 namespace skyline
 {
 
-/// Functions that return a string return an empty one on success, else the reason in one line why the
-/// terrain cannot be lit. The context of `window` must be current.
+/// Functions that return a string return an empty string on success, otherwise the reason, in one
+/// line, why the terrain cannot be lit. The context of `window` must be current.
 struct SoftShadowTextures
 {
   vtkSmartPointer<vtkImageData> Image;
@@ -57,14 +58,15 @@ struct SoftShadowTextures
   /// The same row for the mesh of an actor with the matrix Placement.
   VertexRow Placed(const VertexRow& row) const;
 
-  /// The point array `name` if it has a value for each post and `least` to `most` components, else null.
+  /// The point array `name` if it has a value for each post and `least` to `most` components, else
+  /// null.
   vtkDataArray* Find(const std::string& name, int least, int most) const;
 
   /// The reason why the array `name` cannot be used. components: how many it needs, as text.
   std::string Missing(const std::string& name, const char* components) const;
 
-  /// Uploads `count` components from `first` on, unless the texture already shows the array. half: as
-  /// 16-bit floats.
+  /// Uploads `count` components from `first` on, unless the texture already shows the array. half:
+  /// as 16-bit floats.
   std::string Send(PostTexture& texture, vtkOpenGLRenderWindow* window, vtkDataArray* array,
     int first, int count, bool half);
 

@@ -10,7 +10,8 @@
  * FAST uses the exact ones.
  *
  * With ReadBack off, the result stays on the graphics processor: pass GetTexture to
- * vtkSkylineSoftShadowShader::SetIrradianceTexture of a mapper that draws in the window of the device.
+ * vtkSkylineSoftShadowShader::SetIrradianceTexture of a mapper that draws in the window of the
+ * device.
  *
  * The host computes the LightMethod TABLE, the Method SWEEP and bilinear surfaces. It also computes
  * lamps, and adds their light to the array. If there is no OpenGL context, or if it is lost, the

@@ -7,18 +7,18 @@
  * the mode RECEIVER of the shader, the mesh may stand or fly above the ground, and is lit at its
  * own height.
  *
- * The light comes from a vtkSkylineSoftShadowShader, which computes it for each fragment at the resolution
- * of the height field. VTK's own lights and the specular part of the property have no effect.
- * Colours, colours from scalars, draped textures, opacity, clipping planes, edges, depth peeling
- * and picking work as with other mappers.
+ * The light comes from a vtkSkylineSoftShadowShader, which computes it for each fragment at the
+ * resolution of the height field. VTK's own lights and the specular part of the property have no
+ * effect. Colours, colours from scalars, draped textures, opacity, clipping planes, edges, depth
+ * peeling and picking work as with other mappers.
  *
  *     vtkNew<vtkSkylineSoftShadowPolyDataMapper> mapper;
  *     mapper->SetInputConnection(mesh->GetOutputPort());
  *     mapper->GetShader()->SetHeightFieldConnection(irradiance->GetOutputPort());
  *
  * If the mesh cannot be drawn, because the renderer has no OpenGL window or because
- * vtkSkylineSoftShadowShader::Prepare fails, the mapper draws nothing and reports the reason once, in one
- * line.
+ * vtkSkylineSoftShadowShader::Prepare fails, the mapper draws nothing and reports the reason once,
+ * in one line.
  */
 #ifndef vtkSkylineSoftShadowPolyDataMapper_h
 #define vtkSkylineSoftShadowPolyDataMapper_h
@@ -60,7 +60,7 @@ public:
   vtkMTimeType GetMTime() override;
 
   ///@{
-  /// Called by VTK for every picture and when a window goes; not to be called by users.
+  /// VTK calls these methods for every picture and when a window is closed. Do not call them.
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;

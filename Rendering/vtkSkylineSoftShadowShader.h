@@ -15,20 +15,20 @@
  *   ShadowHeightLower, and the field array ShadowSun. Draws objects that stand or fly over the
  *   height field (houses, aircraft, a point cloud) in the shadow of the terrain. Their light is
  *   that of the sun, times the visible part of its disc at the height of the fragment (as in
- *   vtkHeightFieldShadowReceiver), times the cosine, plus the 16 coefficients of the light as a sky that
- *   nothing hides.
+ *   vtkHeightFieldShadowReceiver), times the cosine, plus that of a sky that nothing hides, which
+ *   the 16 coefficients describe.
  *
  * In each mode, up to four lamps can add light, from the array LampIrradiance.
  *
  * The ground is Lambertian: its radiance is albedo * E / pi. The albedo is the colour that VTK
  * would show without light: the diffuse colour of the actor, colours from scalars, or draped
- * textures, as sRGB codes. The exposure and the tone curve are applied to the result,
- * which is shown as sRGB codes.
+ * textures, as sRGB codes. The exposure and the tone curve are applied to the result, which is shown
+ * as sRGB codes.
  *
- * Other mappers use this class as vtkSkylineSoftShadowPolyDataMapper does: call Prepare before drawing,
- * ReplaceShaderValues on the shader templates (instead of the mapper's own light), then Activate,
- * SetUniforms for each program, and Deactivate. Positions of the mesh are those of the image. The
- * matrix of an actor does not change the light, except in the mode RECEIVER, where it moves the
+ * Other mappers use this class as vtkSkylineSoftShadowPolyDataMapper does: call Prepare before
+ * drawing, ReplaceShaderValues on the shader templates (instead of the mapper's own light), then
+ * Activate, SetUniforms for each program, and Deactivate. The mesh must be in the coordinates of the
+ * image. The matrix of an actor does not change the light, except in the mode RECEIVER, where it moves the
  * mesh through the shadow (SetPlacement). Several mappers can share one shader and its textures.
  *
  * Missing posts (NaN) take their light from their neighbours, so that a mesh with coarser cells has
@@ -169,8 +169,8 @@ public:
   ///@{
   /**
    * Depth below ShadowHeight over which the sunlight fades out, in metres, in the mode RECEIVER, as
-   * in vtkHeightFieldShadowReceiver. Default: 0, a sharp edge of the shadow. Not used with the shadow heights
-   * of both limbs.
+   * in vtkHeightFieldShadowReceiver. Default: 0, a sharp edge of the shadow. Not used with the
+   * shadow heights of both limbs.
    */
   void SetPenumbraDepth(double depth);
   double GetPenumbraDepth();
@@ -198,7 +198,8 @@ public:
   ///@{
   /**
    * Whether draped textures provide linear light (vtkTexture::UseSRGBColorSpaceOn), and whether the
-   * framebuffer converts to sRGB codes itself. vtkSkylineSoftShadowPolyDataMapper sets both. Default: off.
+   * framebuffer converts to sRGB codes itself. vtkSkylineSoftShadowPolyDataMapper sets both.
+   * Default: off.
    */
   void SetLinearTextures(bool on);
   vtkGetMacro(LinearTextures, bool);
@@ -207,9 +208,9 @@ public:
   ///@}
 
   /**
-   * Uploads changed arrays to textures of the window, whose context must be current. Returns false if
-   * the terrain cannot be lit: there is no height field, an array is missing, or there are more posts
-   * than a texture can hold. The reason is reported as an error, once until it changes.
+   * Uploads changed arrays to textures of the window, whose context must be current. Returns false
+   * if the terrain cannot be lit: there is no height field, an array is missing, or there are more
+   * posts than a texture can hold. The reason is reported as an error, once until it changes.
    */
   bool Prepare(vtkOpenGLRenderWindow* window);
 

@@ -34,7 +34,7 @@ inline const std::array<ColorMap, 5>& ColorMaps()
   // hypsometric and ocean are our own. viridis (CC0, van der Walt and Smith 2015) and cividis
   // (Nunez, Anderton and Renslow 2018) are sampled at ten colours.
   static const std::array<ColorMap, 5> maps{ {
-    { "hypsometric", "muted valley green over ochre to white",
+    { "hypsometric", "from muted green through ochre to white",
       { { 0x3d5447, 0x536b52, 0x6f7f5e, 0x90916d, 0xab9f77, 0xb9a67f, 0xc2ad8e, 0xccbaa3, 0xd9cdbd,
         0xe9e2da, 0xf9f7f5 } },
       11, 0 },
@@ -42,15 +42,15 @@ inline const std::array<ColorMap, 5>& ColorMaps()
       { { 0x15293f, 0x1d3a57, 0x274d70, 0x356288, 0x4a789b, 0x6c8c66, 0x90916d, 0xb2a27b, 0xc5b193,
         0xdacebf, 0xf9f7f5 } },
       11, 5 },
-    { "viridis", "dark violet over green to yellow",
+    { "viridis", "from dark violet through green to yellow",
       { { 0x440154, 0x482878, 0x3e4989, 0x31688e, 0x26828e, 0x1f9e89, 0x35b779, 0x6ece58, 0xb5de2b,
         0xfde725 } },
       10, 0 },
-    { "cividis", "dark blue over grey to yellow",
+    { "cividis", "from dark blue through grey to yellow",
       { { 0x00204d, 0x00336f, 0x39486b, 0x575c6d, 0x707173, 0x8a8779, 0xa69d75, 0xc4b56c, 0xe4cf5b,
         0xffea46 } },
       10, 0 },
-    { "gray", "one light grey: the light alone", { { 0xd8d8d8, 0xd9d9d9 } }, 2, 0 },
+    { "gray", "one light grey, which shows the light alone", { { 0xd8d8d8, 0xd9d9d9 } }, 2, 0 },
   } };
   return maps;
 }

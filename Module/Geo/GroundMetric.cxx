@@ -219,8 +219,9 @@ bool GroundMetric::Sample(const Georeference& place, std::ptrdiff_t side)
   if (side >= LastNodes && worst > 4.0 * DistanceTolerance)
   {
     RefusePost(worstColumn, worstRow,
-      "lies where the map's lengths or directions change by a part of " + std::to_string(worst) +
-        " over a few posts, and distances may err by 0.001");
+      "lies where the map's lengths or directions change by a fraction of " +
+        std::to_string(worst) +
+        " over a few posts, so that distances there may be wrong by 0.001 of their length");
   }
   *this = finer;
   return good || side >= LastNodes;

@@ -36,7 +36,7 @@ void CheckDegrees(double x, double y)
   if (x > 180.0 || y > 180.0)
   {
     throw std::invalid_argument("steps of " + std::to_string(x) + " x " + std::to_string(y) +
-      " degrees lead around the body; correct the file's geotransform");
+      " degrees go around the whole body; correct the file's geotransform");
   }
 }
 

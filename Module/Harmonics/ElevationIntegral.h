@@ -3,8 +3,8 @@
 // harmonic.
 //
 // In one azimuth, the function of band l and order m is an azimuthal factor times
-// N_lm P_l^|m|(sin e), and P_l^m(sin e) = cos^m e Q(sin e), where Q is a polynomial with only even or only odd
-// powers. So
+// N_lm P_l^|m|(sin e), and P_l^m(sin e) = cos^m e Q(sin e), where Q is a polynomial
+// with only even or only odd powers. So
 //
 //   Lost(h) = N_lm Int_0^h P_l^m(sin e) sin^i e cos^j e cos e de
 //

@@ -195,7 +195,7 @@ void FillSky(const SkyModel& sky, double sunAzimuth, double sunElevation, const 
   if (!(unit > 0.0))
   {
     throw std::invalid_argument(
-      scale.ByIrradiance ? "the sky has no light" : "the sky is dark in the zenith");
+      scale.ByIrradiance ? "the sky has no light" : "the sky is dark at the zenith");
   }
   const double factor = scale.Value / unit;
   const std::size_t lit = static_cast<std::size_t>(height / 2) * static_cast<std::size_t>(width);

@@ -49,7 +49,7 @@ SunField::SunField(
   if (place.OnBody() && !place.Earth)
   {
     throw std::invalid_argument("the sun's position at " + ToText(time) +
-      " is known for the Earth only; on another body give the sun's azimuth and elevation");
+      " is known on the Earth only; on another body, give the azimuth and elevation of the sun");
   }
   const SunEphemeris ephemeris(time, ut1MinusUtc);
   const Air air = StandardAir(meanHeight);

@@ -86,8 +86,8 @@ public:
   ///@}
 
   ///@{
-  /// The light map file for FILE_SKY, in a format of vtkSkylineLightMapReader (.hdr, .exr). It is read
-  /// once. Default: empty.
+  /// The light map file for FILE_SKY, in a format of vtkSkylineLightMapReader (.hdr, .exr). It is
+  /// read once. Default: empty.
   vtkSetMacro(EnvironmentFile, std::string);
   vtkGetMacro(EnvironmentFile, std::string);
   ///@}

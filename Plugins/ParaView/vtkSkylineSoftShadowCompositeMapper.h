@@ -3,8 +3,9 @@
  * @class   vtkSkylineSoftShadowCompositeMapper
  * @brief   draws composite data in the light of a vtkSkylineSoftShadowShader
  *
- * This is the mapper of ParaView's surfaces with the shader code of vtkSkylineSoftShadowPolyDataMapper. If
- * something cannot be drawn, nothing is drawn, and the reason is reported once, in one line.
+ * This is the mapper of ParaView's surfaces with the shader code of
+ * vtkSkylineSoftShadowPolyDataMapper. If something cannot be drawn, nothing is drawn, and the
+ * reason is reported once, in one line.
  */
 #ifndef vtkSkylineSoftShadowCompositeMapper_h
 #define vtkSkylineSoftShadowCompositeMapper_h

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkylineSoftShadowGeometry
- * @brief   the surface of a height field and its light, as drawn by vtkSkylineSoftShadowRepresentation
+ * @brief   the surface of a height field, with its light, for vtkSkylineSoftShadowRepresentation
  *
  * Input: a whole vtkImageData of one slice. On a process without data, any other data set, for
  * which the surface is empty. Output: the triangles of vtkHeightFieldSurface with the point arrays
@@ -44,8 +44,8 @@ public:
   ///@}
 
   ///@{
-  /// The light to pass on, see vtkSkylineSoftShadowShader::ModeType. Default: AUTOMATIC, which takes the
-  /// first of Irradiance, TransferSH and VisibilitySH that exists.
+  /// The light to pass on, see vtkSkylineSoftShadowShader::ModeType. Default: AUTOMATIC, which
+  /// takes the first of Irradiance, TransferSH and VisibilitySH that exists.
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
   ///@}

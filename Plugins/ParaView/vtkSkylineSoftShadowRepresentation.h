@@ -4,10 +4,10 @@
  * @brief   the representation Soft Shadow Surface: a height field in its own light
  *
  * Draws the surface of an image of heights in the light that its point arrays hold, at the
- * resolution of the posts (vtkSkylineSoftShadowShader). The light is the array Irradiance, or TransferSH
- * or VisibilitySH with a key light and a sky, which can move without new horizons. The colours of
- * ParaView (a solid colour or an array) are the albedo. The lights of ParaView have no effect. In a
- * parallel run, the first process draws the whole height field.
+ * resolution of the posts (vtkSkylineSoftShadowShader). The light is the array Irradiance, or
+ * TransferSH or VisibilitySH with a key light and a sky, which can move without new horizons. The
+ * colours of ParaView (a solid colour or an array) are the albedo. The lights of ParaView have no
+ * effect. In a parallel run, the first process draws the whole height field.
  */
 #ifndef vtkSkylineSoftShadowRepresentation_h
 #define vtkSkylineSoftShadowRepresentation_h

@@ -46,7 +46,7 @@ class Options(TypedDict, total=False):
         Name of the point array with the heights of an image. Default: its active scalars.
     method
         How horizons are found: "exact" (default); "fast", at most 0.25 degrees below the exact
-        horizon, by how much depends on the processor; "sweep"; or "pyramid".
+        horizon (how much depends on the processor); "sweep"; or "pyramid".
     surface
         The surface between the posts: "triangles" (default) or "bilinear".
     flat
@@ -179,7 +179,7 @@ def horizon(z: Any, spacing: Any = None, azimuths: int = 72, **options: Unpack[O
     Raises
     ------
     TypeError, ValueError
-        An argument is wrong. The message has the value, and says what to give instead.
+        An argument is wrong. The message names the value, and says what to give instead.
     skyline.Error
         A file cannot be read, or the computation failed.
 
@@ -440,7 +440,7 @@ def irradiance(
     sun, time
         The position of the sun, also of the sun in the sky: see skyline.sun_visibility.
     sun_irradiance : float or (float, float, float)
-        Irradiance by the sun on a plane that faces it, as one number or RGB. Default: 1; for perez,
+        Irradiance of the sun on a plane that faces it, as one number or RGB. Default: 1; for perez,
         DIRECT.
     radius : float
         Angular radius of the sun: see skyline.sun_visibility.

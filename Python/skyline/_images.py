@@ -64,7 +64,7 @@ def to_image(
     Raises
     ------
     TypeError, ValueError
-        An argument is wrong. The message has the value, and says what to give instead.
+        An argument is wrong. The message names the value, and says what to give instead.
     skyline.Error
         The place cannot be used.
 
@@ -168,9 +168,9 @@ def read(
         Values of missing posts besides the nodata value that the file declares, as they are in the
         file, before its scale and unit.
     allow_network : bool
-        True allows a file on a server, or one that leads to a server. Default False.
+        True allows a file on a server, or one that refers to a server. Default False.
     allow_elsewhere : bool
-        True allows a file that leads to files outside its own folder. Default False.
+        True allows a file that refers to files outside its own folder. Default False.
     drivers : list of str
         Short names of GDAL drivers that may open the file, besides those of local rasters.
 
@@ -241,7 +241,7 @@ def write(
     Raises
     ------
     TypeError, ValueError
-        An argument is wrong. The message has the value, and says what to give instead.
+        An argument is wrong. The message names the value, and says what to give instead.
     skyline.Error
         The file cannot be written.
 

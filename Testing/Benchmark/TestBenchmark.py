@@ -162,8 +162,8 @@ class Benchmark(ToolTest):
         for budget in ["-1", "long", "inf", "nan"]:
             self.refused(2, "benchmark", "-o", "report", "--budget", budget,
                          says="give seconds from 0 to")
-        self.refused(2, "benchmark", "-o", "report", "--scenes", "none", says="name a DEM")
-        self.refused(2, "benchmark", "-o", "report", "--scenes", "none,hills", says="no other scene")
+        self.refused(2, "benchmark", "-o", "report", "--scenes", "none", says="give a DEM")
+        self.refused(2, "benchmark", "-o", "report", "--scenes", "none,hills", says="none cannot be combined")
         self.refused(1, "benchmark", "-o", "report", "--scenes", "cone", "--sizes", "32", "--methods",
                      "lamp", "--quantities", "sky", says="leave out --methods")
         self.refused(1, "benchmark", "-o", "report", "--scenes", "none", "gone.tif",

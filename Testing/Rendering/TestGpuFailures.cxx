@@ -86,7 +86,7 @@ struct Pair
     }
     EXPECT_EQ(this->Errors->Count, 1) << this->Errors->Text;
     for (const std::string& part :
-      { std::string("the host computes in place of the graphics processor"), reason })
+      { std::string("the host computes instead of the graphics processor"), reason })
     {
       EXPECT_NE(this->Errors->Text.find(part), std::string::npos) << this->Errors->Text;
     }

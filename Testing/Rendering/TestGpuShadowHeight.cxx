@@ -215,8 +215,8 @@ TEST_F(ShadowGpu, AFieldBeyondTheLargestTextureIsTheHosts)
   gpu->Update();
   EXPECT_FALSE(gpu->IsOnDevice());
   EXPECT_EQ(errors->Count, 1);
-  EXPECT_NE(
-    errors->Text.find("50 x 30 posts exceed the largest texture, 40 a side"), std::string::npos)
+  EXPECT_NE(errors->Text.find("50 x 30 posts exceed the largest texture, 40 posts per side"),
+    std::string::npos)
     << errors->Text;
   vtkNew<vtkHeightFieldShadowHeight> host;
   host->SetInputData(image);

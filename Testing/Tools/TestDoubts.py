@@ -73,7 +73,7 @@ class Doubts(ToolTest):
         lines = self.warned("horizon", dem, "-o", self.path("out.tif"), "--azimuths", 4,
                             "--nodata", -9999)
         self.assertEqual(len(lines), 1)
-        self.assertIn("has the nodata value -9999; assuming no post is missing by it", lines[0])
+        self.assertIn("has the nodata value -9999; assuming it marks no missing post", lines[0])
 
     def test_one_absurd_post_leaves_the_rest_its_digits(self):
         heights = hills(200, 200)

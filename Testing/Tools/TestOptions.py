@@ -359,13 +359,13 @@ class Doubts(ToolTest):
 
     def test_refraction_off_the_earth(self):
         bare = make(self.path("bare.tif"), hills(5, 6))
-        self.warns("--refraction acts on the Earth alone.*no CRS.*; assuming no refraction$", "horizon", bare,
-                   "-o", self.path("out.tif"), "--refraction", "0.2")
+        self.warns("--refraction has an effect on the Earth only.*no CRS.*; assuming no refraction$",
+                   "horizon", bare, "-o", self.path("out.tif"), "--refraction", "0.2")
         moon = 'GEOGCS["Moon",DATUM["Moon",SPHEROID["Moon",1737400,0]],PRIMEM["Reference",0],' \
                'UNIT["degree",0.0174532925199433]]'
         dem = make(self.path("moon.tif"), hills(5, 6), step=(0.01, 0.01), corner=(3.0, 20.0), wkt=moon)
         for command, out in [("sky-view", "out.tif"), ("shade", "out.png")]:
-            self.warns("--refraction acts on the Earth alone.*another body", command, dem, "-o",
+            self.warns("--refraction has an effect on the Earth only.*another body", command, dem, "-o",
                        self.path(out), "--refraction", "0.2")
 
     def test_time_without_a_zone(self):

@@ -102,7 +102,7 @@ class Perspective(ToolTest):
         dem = make(self.path("dem.tif"), hills(10, 10))
         view = ["shade", dem, "--view", "perspective", "-o"]
         for name in ["out.tif", "out.exr"]:
-            self.refused(2, *view, self.path(name), says="ends in .png")
+            self.refused(2, *view, self.path(name), says="end its name in .png")
         png = [*view, self.path("out.png")]
         for size in ["0x5", "5x9000", "-1x4"]:
             self.refused(2, *png, "--size", size, says="1x1 to 8192x8192")
@@ -118,7 +118,7 @@ class Perspective(ToolTest):
         for display in [{}, {"DISPLAY": ":98765"}]:
             bare = environment(**NO_EGL, **display)
             self.refused(1, "shade", dem, "--view", "perspective", "-o", self.path("out.png"),
-                         says="no OpenGL to draw a perspective with", env=bare)
+                         says="a perspective view needs OpenGL", env=bare)
         self.succeed("shade", dem, "-o", self.path("out.png"), env=environment(**NO_EGL))
 
     def test_nothing_but_holes(self):

@@ -51,7 +51,7 @@ class SkyView(ToolTest):
         self.assertEqual(trust[5, 20], 1.0)
         self.assertLess(trust[4, 20], 1.0)
         self.refused(2, "sky-view", dem, "-o", self.path("no.tif"), "--edge-distance", "150",
-                     says="only the quantity EdgeTrust has it")
+                     says="only the quantity EdgeTrust uses it")
         for wrong in ["-1", "nan", "far"]:
             self.refused(2, "sky-view", dem, "-o", self.path("no.tif"), "--quantity", "EdgeTrust",
                          "--edge-distance", wrong, says="--edge-distance")

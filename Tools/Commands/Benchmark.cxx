@@ -145,12 +145,13 @@ struct BenchmarkCommand
     }
     else if (std::count(this->Options.Scenes.begin(), this->Options.Scenes.end(), "none") > 0)
     {
-      throw skyline::WrongUsage("--scenes: none goes with no other scene; leave it out");
+      throw skyline::WrongUsage(
+        "--scenes: none cannot be combined with other scenes; leave it out");
     }
     if (this->Options.Scenes.empty() && this->Options.Rasters.empty())
     {
       throw skyline::WrongUsage(
-        "nothing to measure: no scene and no DEM; name a DEM or leave --scenes none out");
+        "nothing to measure: no scene and no DEM; give a DEM, or leave out --scenes none");
     }
     for (const char* name : ReportFiles)
     {
@@ -200,27 +201,30 @@ namespace skyline
 
 void AddBenchmark(CLI::App& program)
 {
-  CLI::App* app =
-    program.add_subcommand("benchmark", "Error against run time of every method, as a page");
+  CLI::App* app = program.add_subcommand(
+    "benchmark", "Measure error and run time of every method, and write a report");
   const auto command = std::make_shared<BenchmarkCommand>();
   app->footer(
-    "Writes a folder: index.html with charts and all figures, results.csv, results.json, and the\n"
-    "main chart as pareto.svg. ReferenceHorizons is every crossed edge in double precision, at posts drawn by "
-    "lot.\nGRASS, SAGA and gdaldem join where they are installed, Embree where it was when skyline "
-    "was built.\nTimes are CPU time of one thread: other work on the machine disturbs them, but "
-    "all alike.");
+    "Writes a folder with index.html (charts and all figures), results.csv, results.json, and the\n"
+    "main chart as pareto.svg. The reference visits every crossed edge in double precision, at\n"
+    "randomly chosen posts. GRASS, SAGA and gdaldem are measured if they are installed, and\n"
+    "Embree if it was installed when skyline was built. Times are CPU times of one thread; other\n"
+    "work on the machine makes all of them longer.");
   app
     ->add_option("DEM", command->Options.Rasters,
-      "Rasters of heights that become scenes; of large ones the middle 2048 x 2048 posts")
+      "Rasters of heights to use as scenes; of a larger raster, the middle 2048 x 2048 posts")
     ->type_name("");
-  app->add_option("-o,--output", command->Folder, "Folder for the report; made if missing")
+  app
+    ->add_option(
+      "-o,--output", command->Folder, "Folder for the report; it is created if it does not exist")
     ->required()
     ->type_name("DIR");
   std::vector<std::string> scenes = SceneNames();
   scenes.emplace_back("none");
   app
     ->add_option("--scenes", command->Options.Scenes,
-      "Made scenes and the bundled DEM, separated by commas; none: only the DEMs. Default: all")
+      "Synthetic scenes and the bundled DEM, separated by commas; none: only the DEMs that are\n"
+      "given. Default: all")
     ->delimiter(',')
     ->allow_extra_args(false)
     ->type_name("NAME,...")
@@ -237,7 +241,7 @@ void AddBenchmark(CLI::App& program)
   }
   app
     ->add_option("--quantities", command->Options.Quantities,
-      "What is measured, separated by commas. Default: all")
+      "Quantities to measure, separated by commas. Default: all")
     ->delimiter(',')
     ->allow_extra_args(false)
     ->type_name("NAME,...")
@@ -254,7 +258,7 @@ void AddBenchmark(CLI::App& program)
           sizes.push_back(static_cast<int>(*ReadNumber(text)));
         }
       },
-      "Posts of a side of the made scenes, separated by commas; 32 to 4096")
+      "Posts per side of the synthetic scenes, separated by commas; 32 to 4096")
     ->delimiter(',')
     ->allow_extra_args(false)
     ->type_name("N,...")
@@ -263,9 +267,9 @@ void AddBenchmark(CLI::App& program)
     ->default_str(Listed(sizes));
   AddNumber(*app, "--budget", command->Options.Budget,
     { "seconds from 0 to 1000000, as in --budget 600", 0.0, MostBudget },
-    "Seconds after which no measurement begins; what matters most is measured first")
+    "Seconds after which no measurement is started; the most important ones come first")
     ->type_name("SECONDS");
-  app->add_flag("-q,--quiet", command->Common.Quiet, "No progress, no last line");
+  app->add_flag("-q,--quiet", command->Common.Quiet, "Print no progress and no summary");
   app->callback([command] { command->Run(CommandLine()); });
 }
 

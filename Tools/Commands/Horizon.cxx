@@ -46,11 +46,13 @@ namespace skyline
 
 void AddHorizon(CLI::App& program)
 {
-  CLI::App* app =
-    program.add_subcommand("horizon", "Elevation angle of the horizon around every post");
+  CLI::App* app = program.add_subcommand(
+    "horizon", "Compute the elevation angle of the horizon around every post");
   const auto command = std::make_shared<HorizonCommand>();
-  app->footer("Writes a GeoTIFF of float32 degrees, -90 to 90: band k is azimuth 360 (k - 1) / N "
-              "clockwise from grid\nnorth, -90 where no terrain lies in that direction.");
+  app->footer(
+    "Writes a GeoTIFF of float32 with one band per azimuth: the elevation of the horizon in\n"
+    "degrees, -90 to 90. Band k is for the azimuth 360 (k - 1) / N degrees clockwise from\n"
+    "grid north. The value is -90 where no terrain lies in that direction.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write");
   command->Horizon.AddTo(*app);

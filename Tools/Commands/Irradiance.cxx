@@ -53,13 +53,13 @@ struct IrradianceCommand
     this->Horizon.RefuseIdle(options);
     skyline::RefuseIdleLights(this->Lights, options, kind, sun, true);
     options.Refuse(harmonics, { "--quadrature", "--no-refinement" },
-      "only the method table has it; leave it out, or add --method table");
+      "only the method table uses it; leave it out, or add --method table");
     options.Refuse(harmonics, { "--limb-darkening" },
-      "the method sh blurs the sun beyond it; leave it out, or add --method table");
+      "the method sh blurs the sun too much to show it; leave it out, or add --method table");
     options.Refuse(
-      !harmonics, { "--bands" }, "only the method sh has them; leave it out, or add --method sh");
+      !harmonics, { "--bands" }, "only the method sh uses them; leave it out, or add --method sh");
     options.Warn(harmonics && !sun && kind == SkyKind::Uniform, { "--bands" },
-      "all of a uniform sky lies in the first band", this->Common);
+      "the first band represents a uniform sky completely", this->Common);
     const bool lampsAlone = kind == SkyKind::None && !sun;
     options.Refuse(lampsAlone && harmonics, { "--method" },
       "the method sh does not compute lamps; leave it out, or give a sky or a sun");
@@ -68,7 +68,7 @@ struct IrradianceCommand
     const bool drawn = sun && this->Lights.Sun.Radius.value_or(0.0) > skyline::LargestSunRadius;
     options.Warn(lampsAlone || (!harmonics && kind == SkyKind::None && !drawn),
       { "--azimuths", "--quadrature", "--no-refinement" },
-      "only a sky is spread over azimuths, a sun or a lamp has its own", this->Common);
+      "only a sky uses it; a sun or a lamp chooses its own azimuths", this->Common);
     options.Warn((kind == SkyKind::Uniform || kind == SkyKind::Zonal) && !drawn,
       { "--no-refinement" }, "this sky is equally bright all around and is not refined",
       this->Common);
@@ -122,34 +122,40 @@ namespace skyline
 
 void AddIrradiance(CLI::App& program)
 {
-  CLI::App* app = program.add_subcommand("irradiance", "The light that falls on every post");
+  CLI::App* app =
+    program.add_subcommand("irradiance", "Compute the light that falls on every post");
   const auto command = std::make_shared<IrradianceCommand>();
   command->Horizon.Azimuths = 128;
   app->footer(
-    "Writes a GeoTIFF of float32 with three bands, red, green and blue: the irradiance of the "
-    "tilted surface,\nW/m2 where radiance counts in W/m2/sr. Lights add up; without any, a uniform "
-    "sky of radiance 1 shines,\nwhich gives open level ground pi.");
+    "Writes a GeoTIFF of float32 with three bands, red, green and blue: the irradiance of the\n"
+    "tilted surface at each post, in W/m2 if radiances are in W/m2/sr. All lights are added.\n"
+    "Without lights, the sky is uniform with radiance 1, which gives open level ground the\n"
+    "irradiance pi.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write");
   skyline::AddLightOptions(*app, command->Lights);
   app
     ->add_option("--method", command->Method,
-      "table: light integrated exactly above the horizon of each azimuth;\n"
+      "table: the light above the horizon of each azimuth is integrated exactly;\n"
       "sh: spherical harmonics, a fast preview that blurs suns")
     ->check(OneOf({ "table", "sh" }))
     ->type_name("NAME")
     ->capture_default_str();
-  app->add_flag("--horizontal", command->Horizontal, "Irradiance of a level plate at the post");
+  app->add_flag(
+    "--horizontal", command->Horizontal, "Compute the irradiance of a level surface at each post");
   app
     ->add_option("--quadrature", command->Quadrature,
-      "Method table, between azimuths. constant: each horizon stands for its swath;\n"
-      "blend: light is weighted between the two; linear: horizons are linear")
+      "Method table: what is assumed between two azimuths.\n"
+      "constant: each horizon holds in its whole swath;\n"
+      "blend: light counts for both horizons, weighted by nearness;\n"
+      "linear: horizons are linear between azimuths")
     ->check(OneOf({ "constant", "blend", "linear" }))
     ->type_name("NAME")
     ->capture_default_str();
   app->add_flag("--no-refinement", command->NoRefinement,
-    "Method table: no further azimuths where the environment is bright");
-  AddWhole(*app, "--bands", command->Bands, 2, 8, "Bands of method sh, 2 to 8")->type_name("N");
+    "Method table: do not add azimuths where the environment is bright");
+  AddWhole(*app, "--bands", command->Bands, 2, 8, "Method sh: number of bands, 2 to 8")
+    ->type_name("N");
   HorizonNeeds needs;
   needs.Method = "--horizon";
   command->Horizon.AddTo(*app, needs);

@@ -101,12 +101,14 @@ std::string WhyExtra(const CLI::App& program, const CLI::App* command)
 
 int Run(int argc, char** argv)
 {
-  CLI::App program("Horizons, sky view and soft shadows of rasters of heights", "skyline");
+  CLI::App program(
+    "Computes horizons, sky view, shadows and light of digital elevation models (DEMs)", "skyline");
   program.set_version_flag("--version", "skyline " SKYLINE_VERSION);
   program.require_subcommand(1);
-  program.footer("skyline COMMAND --help tells the options of a command.\n"
-                 "Exit status: 0 done; 1 failed, with the reason in one line on standard error and "
-                 "no file left; 2 wrong usage.");
+  program.footer(
+    "skyline COMMAND --help lists the options of a command.\n"
+    "Exit status: 0: success; 1: failure, with the reason in one line on standard error and no\n"
+    "output file left; 2: wrong usage.");
   skyline::AddHorizon(program);
   skyline::AddSkyView(program);
   skyline::AddSun(program);

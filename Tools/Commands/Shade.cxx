@@ -80,12 +80,13 @@ struct ShadeCommand
     const PictureFormat format = skyline::FormatOf(this->Output.File);
     if (this->View == "perspective" && format != PictureFormat::Png)
     {
-      throw skyline::WrongUsage("--output: a perspective picture's name ends in .png");
+      throw skyline::WrongUsage(
+        "--output: a perspective view is written as PNG; end its name in .png");
     }
     options.Refuse(this->View != "perspective", { "--size", "--from" },
-      "a map has one pixel per post, seen from above; leave it out, or add --view perspective");
+      "a map is seen from above, with one pixel per post; leave it out, or add --view perspective");
     options.Refuse(format != PictureFormat::Tiff, { "--cloud-optimized" },
-      "only a GeoTIFF can be; leave it out, or name the output .tif");
+      "only a GeoTIFF can be cloud-optimized; leave it out, or name the output .tif");
     options.Refuse(format == PictureFormat::Exr, { "--exposure" },
       "an .exr holds light before exposure; leave it out, or name the output .png or .tif");
     const SkyKind kind = this->Kind();
@@ -93,7 +94,7 @@ struct ShadeCommand
     skyline::RefuseIdleLights(this->Lights, options, kind,
       kind != SkyKind::Map || this->Lights.Sun.Asked(), this->Measured());
     options.Refuse(kind == SkyKind::None, { "--azimuths" },
-      "a black sky needs none; leave it out, or give another --environment");
+      "a black sky needs no azimuths; leave it out, or give another --environment");
   }
 
   skyline::SkyKind Kind() const { return this->Lights.KindOfSky(); }
@@ -217,13 +218,14 @@ namespace skyline
 
 void AddShade(CLI::App& program)
 {
-  CLI::App* app = program.add_subcommand("shade", "A picture of the terrain in sun and sky");
+  CLI::App* app =
+    program.add_subcommand("shade", "Draw a picture of the terrain in the light of sun and sky");
   const auto command = std::make_shared<ShadeCommand>();
   command->Horizon.Azimuths = 72;
   app->footer(
-    "Without light options: sun from azimuth 315, elevation 45, with soft shadows, under "
-    "a uniform sky.\nMissing posts are transparent. .png and .tif hold the tone-mapped "
-    "picture (sRGB, 8 bit; .tif with its\nplace on the map), .exr the linear light before "
+    "Without light options, the sun is at azimuth 315, elevation 45 and casts soft shadows, and\n"
+    "the sky is uniform. Missing posts are transparent. A .png or .tif file holds the tone-mapped\n"
+    "picture (sRGB, 8 bits; .tif with the georeference), an .exr file the linear light before\n"
     "exposure.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "Picture to write: .png, .exr or .tif");
@@ -233,8 +235,9 @@ void AddShade(CLI::App& program)
   command->Look.AddTo(*app);
   app
     ->add_option("--view", command->View,
-      "map: seen from above, one pixel a post;\n"
-      "perspective: seen from beside, drawn by OpenGL, without a window system if EGL is installed")
+      "map: seen from above, with one pixel per post;\n"
+      "perspective: seen from the side, drawn by OpenGL; needs no window system where EGL is\n"
+      "available")
     ->check(OneOf({ "map", "perspective" }))
     ->type_name("NAME")
     ->capture_default_str();

@@ -30,9 +30,9 @@ struct ShadowHeightCommand
   {
     this->Horizon.RefuseIdle(options);
     options.Refuse(!this->Soft, { "--sun-radius" },
-      "the shadow of the sun's middle has none; add --soft, or leave it out");
+      "without --soft, only the centre of the sun counts; add --soft, or leave it out");
     options.Warn(this->Soft && this->Sun.Radius == 0.0, { "--soft" },
-      "both limbs of a sun with the radius 0 are its middle", this->Common);
+      "both limbs of a sun with the radius 0 lie in its middle", this->Common);
   }
 
   void Run() const
@@ -74,19 +74,21 @@ namespace skyline
 void AddShadowHeight(CLI::App& program)
 {
   CLI::App* app =
-    program.add_subcommand("shadow-height", "How high the shadow of the terrain stands");
+    program.add_subcommand("shadow-height", "Compute how high the shadow of the terrain reaches");
   const auto command = std::make_shared<ShadowHeightCommand>();
   app->footer(
-    "Writes a GeoTIFF of float32 in metres. ShadowHeight: what lies lower above the post "
-    "is in the shadow of the\nterrain; the post's own height where it is lit, nodata "
-    "everywhere, with a warning, for a sun on or\nunder the horizontal plane. With --soft also ShadowHeightUpper and "
-    "ShadowHeightLower, for the upper and lower limb of the disc: below the first all\nof "
-    "the sun is hidden, above the second none; these may lie under the ground. One sun "
-    "for the whole DEM:\nwith --time, that over its centre. ");
+    "Writes a GeoTIFF of float32 in metres with the band ShadowHeight: what lies lower above the\n"
+    "post is in the shadow of the terrain. Where the post is lit, the value is the height of the\n"
+    "post. If the sun is on or below the horizontal plane, all posts are nodata, and a warning is\n"
+    "printed. With --soft, the bands ShadowHeightUpper and ShadowHeightLower are added, for the\n"
+    "upper and the lower limb of the disc: below the first, the whole sun is hidden; above the\n"
+    "second, nothing of it is hidden. Both may lie below the ground. All posts have the same sun;\n"
+    "with --time, it is the sun over the centre of the DEM.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write");
   AddSunOptions(*app, command->Sun, false);
-  app->add_flag("--soft", command->Soft, "Add the shadow heights of the limbs of the sun's disc");
+  app->add_flag("--soft", command->Soft,
+    "Add the shadow heights for the upper and the lower limb of the sun's disc");
   HorizonNeeds needs;
   needs.Azimuths = false;
   needs.Heights = true;

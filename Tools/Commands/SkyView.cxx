@@ -38,7 +38,7 @@ struct SkyViewCommand
     const bool trust = std::find(this->Quantities.begin(), this->Quantities.end(), "EdgeTrust") !=
       this->Quantities.end();
     options.Refuse(!trust, { "--edge-distance" },
-      "only the quantity EdgeTrust has it; leave it out, or add --quantity EdgeTrust");
+      "only the quantity EdgeTrust uses it; leave it out, or add --quantity EdgeTrust");
   }
 
   void Run() const
@@ -87,33 +87,33 @@ namespace skyline
 
 void AddSkyView(CLI::App& program)
 {
-  CLI::App* app = program.add_subcommand("sky-view", "How much of the sky every post sees");
+  CLI::App* app = program.add_subcommand("sky-view", "Compute how much of the sky every post sees");
   const auto command = std::make_shared<SkyViewCommand>();
   command->Horizon.Azimuths = 72;
   app->footer(
-    "Writes a GeoTIFF of float32, one band a quantity, described by its name:\n"
-    "  SkyViewFactor            0 to 1: share of a uniform sky's light that falls on the "
-    "tilted surface\n"
-    "  SkyViewFactorHorizontal  0 to 1: the same on a level plate at the post\n"
-    "  VisibleSkyFraction       0 to 1: share of the upper hemisphere's solid angle\n"
+    "Writes a GeoTIFF of float32 with one band per quantity; its name is the band description:\n"
+    "  SkyViewFactor            0 to 1: share of the light of a uniform sky that falls on the\n"
+    "                           tilted surface at the post\n"
+    "  SkyViewFactorHorizontal  0 to 1: the same for a level surface at the post\n"
+    "  VisibleSkyFraction       0 to 1: visible share of the solid angle of the upper hemisphere\n"
     "  PositiveOpenness         degrees, 0 to 180: mean zenith angle of the horizon\n"
-    "  EdgeTrust                0 to 1: share of the azimuths in which the data reach at "
-    "least --edge-distance\n"
-    "Beyond the data nothing is known: where no terrain lies the horizon is -90, so posts "
-    "near the rim see too\nmuch (openness of level ground: 90, at an edge 135, at a corner "
-    "157.5). Keep those with EdgeTrust 1.");
+    "  EdgeTrust                0 to 1: share of the azimuths in which the data reach at\n"
+    "                           least as far as --edge-distance\n"
+    "Nothing is known beyond the edge of the data: where no terrain lies in a direction, the\n"
+    "horizon is -90 degrees. Posts near the edge therefore see too much sky (on level ground, the\n"
+    "openness is 90, but 135 at an edge and 157.5 at a corner). Use only posts with EdgeTrust 1.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write");
   app
     ->add_option("--quantity", command->Quantities,
-      "A quantity to write, see below; may be repeated. Default: all but EdgeTrust")
+      "Quantity to write, see below; may be repeated. Default: all except EdgeTrust")
     ->type_name("NAME")
     ->check(OneOf(AllQuantities))
     ->type_size(1)
     ->allow_extra_args(false);
   AddNumber(*app, "--edge-distance", command->EdgeDistance, { "0 to 1e9 metres", 0.0, 1e9 },
-    "How far the data must reach for EdgeTrust, metres, 0 (any terrain at all) or more.\n"
-    "Default: 1000, or a tenth of the DEM's shorter side if that is less")
+    "EdgeTrust: distance in metres that the data must reach, 0 (any terrain at all) or more.\n"
+    "Default: 1000, or a tenth of the shorter side of the DEM if that is less")
     ->type_name("METRES");
   command->Horizon.AddTo(*app);
   AddCommonOptions(*app, command->Common);

@@ -118,18 +118,22 @@ namespace skyline
 
 void AddSun(CLI::App& program)
 {
-  CLI::App* app = program.add_subcommand("sun", "Where the sun stands, and which posts it reaches");
+  CLI::App* app = program.add_subcommand(
+    "sun", "Print the position of the sun, or compute which posts it lights");
   const auto command = std::make_shared<SunCommand>();
   app->footer(
-    "Without -o, prints the sun at the centre of the DEM, one `name: value unit` a line: azimuth "
-    "(clockwise from\ntrue north; from grid north for a DEM without CRS), elevation (without air), "
-    "refracted elevation,\nangular radius, grid azimuth, and the place and time; with --time in an "
-    "eclipse of the sun also\neclipse obscuration (percent of the disc that the Moon covers) and "
-    "eclipse magnitude (of the diameter).\n"
-    "With -o, writes a GeoTIFF of float32 with one band, SunVisibility: the lit share of the sun's "
-    "disc, 0 to 1;\nin an eclipse at --time, times the share of its light that the Moon leaves.");
+    "Without -o, prints the sun at the centre of the DEM, one `name: value unit` per line:\n"
+    "azimuth (clockwise from true north; from grid north for a DEM without CRS), elevation\n"
+    "(without refraction), refracted elevation, angular radius, grid azimuth, and the place and\n"
+    "time. During an eclipse of the sun at --time, also prints the eclipse obscuration (percent\n"
+    "of the area of the disc that the Moon covers) and the eclipse magnitude (part of the\n"
+    "diameter).\n"
+    "With -o, writes a GeoTIFF of float32 with one band, SunVisibility: the visible share of the\n"
+    "sun's disc, 0 to 1; during an eclipse at --time, times the share of its light that the Moon\n"
+    "leaves.");
   command->Terrain.AddTo(*app);
-  command->Output.AddTo(*app, "GeoTIFF to write; without it the sun's position is printed", false);
+  command->Output.AddTo(
+    *app, "GeoTIFF to write. Default: none; the position of the sun is printed", false);
   AddSunOptions(*app, command->Sun);
   HorizonNeeds needs;
   needs.Azimuths = false;

@@ -29,7 +29,7 @@ std::string BundledTerrain()
   if (none || !std::filesystem::exists(file))
   {
     throw skyline::Failure(
-      "no DEM is given, and '" + file.lexically_normal().string() + "' is not there; give a DEM");
+      "no DEM is given, and '" + file.lexically_normal().string() + "' does not exist; give a DEM");
   }
   return file.lexically_normal().string();
 }
@@ -74,14 +74,17 @@ namespace skyline
 
 void AddView(CLI::App& program)
 {
-  CLI::App* app = program.add_subcommand("view", "A window on the terrain: drag camera and sun");
+  CLI::App* app =
+    program.add_subcommand("view", "Open a window on the terrain, to drag the camera and the sun");
   const auto command = std::make_shared<ViewCommand>();
   command->Options.Horizon.Azimuths = 72;
   command->Perspective.Size = "1280x800";
   app->footer(
-    std::string("Without a DEM: the bundled Mount St Helens. Without --sun, a DEM on the Earth "
-                "starts on an afternoon of\nits longest day; others at azimuth 315, "
-                "elevation 45. Screenshots go to the current folder.\n\nIn the window:\n") +
+    std::string(
+      "Without a DEM, the bundled Mount St Helens is shown. Without --sun and --time, a DEM on\n"
+      "the Earth starts in the afternoon of its longest day, and another DEM with the sun at\n"
+      "azimuth 315, elevation 45. Screenshots are written to the current folder.\n\n"
+      "In the window:\n") +
     ViewerHelp());
   command->Options.Terrain.AddTo(*app);
   app->get_option("DEM")->required(false);

@@ -55,7 +55,7 @@ SunAngles ParseDirection(const std::string& text)
   const auto numbers = ParseNumbers(text, cure);
   if (numbers.size() != 2)
   {
-    throw std::invalid_argument(text + " is no direction" + cure);
+    throw std::invalid_argument(text + " is not a direction" + cure);
   }
   if (std::abs(numbers[1]) > MostElevation)
   {
@@ -72,7 +72,7 @@ std::array<double, 3> ParseColor(const std::string& text)
   const bool one = numbers.size() == 1;
   if ((!one && numbers.size() != 3) || *std::min_element(numbers.begin(), numbers.end()) < 0.0)
   {
-    throw std::invalid_argument(text + " is no light" + cure);
+    throw std::invalid_argument(text + " is not an irradiance" + cure);
   }
   return { { numbers[0], numbers[one ? 0 : 1], numbers[one ? 0 : 2] } };
 }
@@ -120,25 +120,24 @@ void AddSunOptions(CLI::App& command, SunDescription& sun, bool limbDarkening)
 {
   CLI::Option* time = AddParsed(
     command, "--time", ParseTime, [&sun](const std::string& text) { sun.Time = text; },
-    "The sun of this moment at the place of the DEM, such as "
-    "2026-06-21T06:00Z or\n2026-06-21T08:00+02:00 (UTC without a zone); 1900 "
-    "to 2100");
+    "Use the sun at this time and at the place of the DEM, for instance 2026-06-21T06:00Z or\n"
+    "2026-06-21T08:00+02:00 (UTC if no time zone is given); years 1900 to 2100");
   time->type_name("TIME");
   AddParsed(
     command, "--sun", ParseDirection, [&sun](const SunAngles& angles) { sun.Direction = angles; },
-    "The sun in this direction: azimuth in degrees clockwise from grid north (any number),\n"
+    "Use a sun in this direction: azimuth in degrees clockwise from grid north (any number),\n"
     "apparent elevation in degrees, -90 to 90. Default without --time: 315,45")
     ->type_name("AZ,EL")
     ->excludes(time);
   AddNumber(command, "--sun-radius", sun.Radius, RadiusLimits,
     "Angular radius of the sun's disc in degrees, 0 to less than 90; 0: hard shadows.\n"
-    "Default: the true one with --time, " +
+    "Default: the true radius with --time, " +
       NumberText(MeanSunRadius) + " otherwise")
     ->type_name("DEG");
   if (limbDarkening)
   {
     command.add_flag("--limb-darkening", sun.LimbDarkening,
-      "Let the sun's disc be darker at its edge, as the true one is");
+      "Make the sun's disc darker towards its edge, as the real one is");
   }
 }
 
@@ -162,11 +161,11 @@ void AddLightOptions(CLI::App& command, LightDescription& lights)
 {
   AddSky(command, lights, false,
     "The sky. FILE.hdr or FILE.exr: a light map, latitude-longitude or cube;\n"
-    "uniform: radiance 1 all over;\n"
+    "uniform: radiance 1 in all directions;\n"
     "cie:N: sky N of CIE S 011, 1 to 15, or 16 for the traditional overcast sky, with radiance\n"
-    "1 in the zenith; perez:DIRECT,DIFFUSE: Perez's all-weather sky for a sun of DIRECT W/m2\n"
-    "on a plane that faces it, which shines too, and DIFFUSE W/m2 from the sky on open level\n"
-    "ground. The sun of a sky is that of --time or --sun")
+    "1 at the zenith; perez:DIRECT,DIFFUSE: Perez's all-weather sky with DIFFUSE W/m2 on open\n"
+    "level ground, and in addition its sun with DIRECT W/m2 on a plane that faces it.\n"
+    "The sun of a CIE or Perez sky is that of --time or --sun")
     ->type_name("FILE|NAME");
   AddSunOptions(command, lights.Sun);
   AddLampOptions(command, lights, false);
@@ -176,9 +175,9 @@ void AddPictureSkyOption(CLI::App& command, LightDescription& lights)
 {
   lights.Sky = SkyDescription();
   AddSky(command, lights, true,
-    "The sky. uniform: equally bright all over;\n"
+    "The sky. uniform: equally bright in all directions;\n"
     "cie:N: sky N of CIE S 011: 1 overcast, 3 overcast with a moderate gradation, 5 uniform,\n"
-    "12 clear, 16 traditional overcast (three times as bright in the zenith as at the horizon);\n"
+    "12 clear, 16 traditional overcast (three times as bright at the zenith as at the horizon);\n"
     "none: black; FILE.hdr, FILE.exr: a light map, alone or with the sun of --sun or --time;\n"
     "perez:DIRECT,DIFFUSE: Perez's sky and its sun, W/m2")
     ->type_name("NAME|FILE")
@@ -188,16 +187,17 @@ void AddPictureSkyOption(CLI::App& command, LightDescription& lights)
 void AddLampOptions(CLI::App& command, LightDescription& lights, bool picture)
 {
   AddNumber(command, "--rotation", lights.Rotation, AnyAngle,
-    "Degrees by which a light map, or a sky that is brighter around the sun, is turned clockwise: its\n"
-    "north comes to this azimuth")
+    "Degrees by which a light map, or a sky that is brighter around the sun, is turned\n"
+    "clockwise: its north then lies at this azimuth")
     ->type_name("DEG");
   AddParsed(
     command, "--sun-irradiance", ParseColor,
     [&lights](const std::array<double, 3>& color) { lights.Sun.Irradiance = color; },
     picture
-      ? "Of the sun on a plane that faces it. Default: that of the day, by which level open ground\n"
-        "gets pi of sun and sky; under a light map 1, with perez: DIRECT"
-      : "Of the sun of --time or --sun on a plane that faces it. Default 1, with perez: DIRECT")
+      ? "Irradiance of the sun on a plane that faces it. Default: that of a clear day, scaled\n"
+        "so that sun and sky give level open ground pi; under a light map: 1; with perez: DIRECT"
+      : "Irradiance of the sun of --time or --sun on a plane that faces it.\n"
+        "Default: 1; with perez: DIRECT")
     ->type_name("E|R,G,B");
   command
     .add_option_function<std::vector<std::string>>(
@@ -209,8 +209,9 @@ void AddLampOptions(CLI::App& command, LightDescription& lights, bool picture)
           Refusing("--lamp", [&] { lights.Lamps.push_back(ParseLamp(text)); });
         }
       },
-      "A glowing ball: X,Y in the CRS of the DEM (without one: from the south-west post), height Z\n"
-      "and radius in metres, radiance R,G,B (default 1,1,1); may be repeated")
+      "Add a lamp, a glowing ball: X,Y in the CRS of the DEM (without a CRS: metres from the\n"
+      "south-west post), height Z and radius in metres, radiance R,G,B (default 1,1,1); may be\n"
+      "repeated")
     ->type_name("X,Y,Z,RADIUS[,R,G,B]")
     ->type_size(1)
     ->allow_extra_args(false)
@@ -222,13 +223,13 @@ void RefuseIdleLights(const LightDescription& lights, const UnusedOptions& optio
 {
   RefuseIdleSun(lights.Sun, options);
   options.Refuse(kind == SkyKind::Perez && !lights.Sun.Asked(), { "--environment" },
-    "perez is a sky of the sun; give the sun by --sun AZ,EL or --time");
+    "a perez sky needs a sun; give it by --sun AZ,EL or --time");
   options.Refuse(!sunShines, { "--sun-irradiance", "--sun-radius", "--limb-darkening" },
     "no sun shines; give one by --sun AZ,EL or --time, or leave it out");
   options.Refuse(keyLight && lights.Sun.Radius.value_or(0.0) > LargestSunRadius,
     { "--limb-darkening" },
     "a sun with a radius above " + NumberText(LargestSunRadius) +
-      " degrees shines as a key light, without a limb; leave it out");
+      " degrees is a key light, which has no limb; leave it out");
 }
 
 void WarnOfTurnedSky(const LightDescription& lights, SkyKind kind, const CommonOptions& common)
@@ -243,7 +244,7 @@ void WarnOfTurnedSky(const LightDescription& lights, SkyKind kind, const CommonO
   }
   if (IsTurned(lights) && kind <= SkyKind::Zonal)
   {
-    PrintWarning(Doubt{ "--rotation turns nothing, for this sky is the same all around",
+    PrintWarning(Doubt{ "--rotation has no effect, because this sky is the same all around",
                    "the sky without it", "" },
       common);
   }

@@ -50,7 +50,7 @@ void WarnOfNight(const SkyDescription& sky, const SunLight& sun, const CommonOpt
   if (sky.Kind == SkyKind::Formula && sun.ApparentElevation <= 0.0)
   {
     PrintWarning(Doubt{ "the sun is below the horizon, and " + sky.Text +
-                     " is a sky by day whose brightness is relative",
+                     " is a daylight sky whose brightness is relative",
                    "the sky that its formula gives for this sun", "--environment none" },
       common);
   }

@@ -33,7 +33,7 @@ std::vector<std::string> MapNames()
 
 std::string MapHelp()
 {
-  std::string help = "Colours of heights, each list growing lighter upwards";
+  std::string help = "Colours of the heights";
   for (const skyline::ColorMap& map : skyline::ColorMaps())
   {
     help += "\n" + std::string(map.Name) + ": " + std::string(map.Description);
@@ -60,13 +60,13 @@ void LookOptions::AddTo(CLI::App& command)
   command
     .add_option_function<std::string>(
       "--exposure", [this](const std::string& text) { this->Exposure = ReadNumber(text); },
-      "auto, or stops: 0 shows level open ground as its colour, +1 twice as bright.\nHowever "
-      "bright, nothing burns out")
+      "auto, or a number of stops: 0 shows level open ground in its own colour, +1 doubles the\n"
+      "light. Bright parts are compressed, not clipped")
     ->type_name("EV")
     ->check(Checked(CheckExposure))
     ->default_str(Automatic);
   AddNumber(command, "--exaggeration", this->Exaggeration, ExaggerationLimits,
-    "Factor on heights, in shading and shadows alike; above 0, up to 1000")
+    "Factor by which heights are multiplied, for shading and shadows; above 0, up to 1000")
     ->type_name("F");
 }
 

@@ -45,8 +45,8 @@ void TerrainOptions::AddTo(CLI::App& command)
     ->type_name("N");
   command
     .add_option("--nodata", this->Nodata,
-      "Posts of this value have no height, besides those that the file declares missing: any number\n"
-      "as the file has it, before scale and unit; may be repeated")
+      "Value of missing posts, in addition to those that the file declares: any number, as it is\n"
+      "stored in the file, before scale and unit; may be repeated")
     ->type_name("V")
     ->type_size(1)
     ->allow_extra_args(false)
@@ -57,13 +57,13 @@ void TerrainOptions::AddTo(CLI::App& command)
 void SourceOptions::AddTo(CLI::App& command)
 {
   command.add_flag("--allow-network", this->AllowNetwork,
-    "Let the DEM be on a server, or lead to one (URLs, /vsicurl/, /vsis3/ ...)");
+    "Allow a DEM that is on a server, or refers to one (URLs, /vsicurl/, /vsis3/ ...)");
   command.add_flag("--allow-elsewhere", this->AllowElsewhere,
-    "Let the DEM lead to files outside its own folder, as a VRT over tiles in another folder does");
+    "Allow a DEM that refers to files outside its own folder, such as a VRT with tiles elsewhere");
   command
     .add_option("--driver", this->Drivers,
-      "Let this driver of GDAL (WMS, WCS ...) open the DEM too, beside those of local rasters;\n"
-      "may be repeated")
+      "Allow this GDAL driver (WMS, WCS ...) to open the DEM, in addition to those of local\n"
+      "rasters; may be repeated")
     ->type_name("NAME")
     ->type_size(1)
     ->allow_extra_args(false);
@@ -82,7 +82,7 @@ void HorizonOptions::AddTo(CLI::App& command, const HorizonNeeds& needs)
   if (needs.Azimuths)
   {
     AddWhole(command, "--azimuths", this->Azimuths, 1, MostAzimuths,
-      "Azimuths around every post, evenly spaced clockwise from grid north; 1 to 3600")
+      "Number of azimuths around every post, evenly spaced clockwise from grid north; 1 to 3600")
       ->type_name("N");
   }
   std::vector<std::string> methods{ "exact", "fast", "sweep" };
@@ -93,12 +93,12 @@ void HorizonOptions::AddTo(CLI::App& command, const HorizonNeeds& needs)
   command
     .add_option(needs.Method, this->Method,
       needs.Heights
-        ? "exact: every edge of the surface counts; fast: the same here;\n"
-          "sweep: the recurrence of Lee & Kim, off by metres"
-        : "exact: every edge of the surface counts;\nfast: up to 0.25 degrees lower than exact, by how much depends on the "
-          "processor;\n"
-          "sweep: line sweeps, resampled to the posts, off by degrees at places;\n"
-          "pyramid: smoothed heights, for soft shadows; off by a degree, none below 0")
+        ? "exact: every edge of the surface counts; fast: the same as exact here;\n"
+          "sweep: the recurrence of Lee & Kim, with errors of metres"
+        : "exact: every edge of the surface counts;\n"
+          "fast: up to 0.25 degrees lower than exact; how much depends on the processor;\n"
+          "sweep: line sweeps, resampled to the posts, with errors of degrees in places;\n"
+          "pyramid: smoothed heights, for soft shadows; errors of a degree, no horizon below 0")
     ->check(OneOf(methods))
     ->type_name("NAME")
     ->capture_default_str();
@@ -106,24 +106,24 @@ void HorizonOptions::AddTo(CLI::App& command, const HorizonNeeds& needs)
   {
     command
       .add_option("--surface", this->Surface,
-        "Surface through the posts. triangles: cells split from south-west to north-east;\n"
-        "bilinear: bilinear cells, with methods exact and fast")
+        "Surface between the posts. triangles: cells split from south-west to north-east;\n"
+        "bilinear: bilinear cells, with the methods exact and fast only")
       ->check(OneOf({ "triangles", "bilinear" }))
       ->type_name("NAME")
       ->capture_default_str();
   }
   command.add_flag(
-    "--flat", this->Flat, "Ignore the curvature of the body (a raster without CRS is flat anyway)");
+    "--flat", this->Flat, "Ignore curvature and refraction (always so for a raster without CRS)");
   AddNumber(command, "--refraction", this->Refraction, RefractionLimits,
-    "Terrestrial refraction, on the Earth alone: the Earth's radius over that of a light ray;\n"
-    "-100 to below 1. Default: " +
+    "Coefficient of terrestrial refraction, used on the Earth only: the radius of the Earth\n"
+    "divided by that of a light ray; -100 to below 1. Default: " +
       NumberText(TerrestrialRefraction))
     ->type_name("K");
   if (!needs.Heights)
   {
     AddNumber(command, "--tolerance", this->Tolerance, { "0 to 90 degrees", 0.0, 90.0 },
-      "Degrees by which method exact may fall short of the horizon, for speed; 0 to 90.\n"
-      "Above 0, what is found within them depends on the processor")
+      "Degrees by which a horizon of the method exact may be too low, for speed; 0 to 90. Above\n"
+      "0, the result within the tolerance depends on the processor")
       ->type_name("DEG");
   }
 }
@@ -132,13 +132,12 @@ void HorizonOptions::RefuseIdle(const UnusedOptions& options) const
 {
   const bool triangles = this->Method == "sweep" || this->Method == "pyramid";
   options.Refuse(triangles && this->Surface != "triangles", { "--surface" },
-    this->Surface + " is not a surface of " + this->Method +
-      "; leave it out, or find horizons by " + this->MethodName + " exact or fast");
+    "the method " + this->Method + " supports triangles only; leave it out, or use " +
+      this->MethodName + " exact or fast");
   options.Refuse(this->Method != "exact", { "--tolerance" },
-    "only the method exact has one; leave it out, or find horizons by " + this->MethodName +
-      " exact");
+    "only the method exact uses it; leave it out, or use " + this->MethodName + " exact");
   options.Refuse(
-    this->Flat, { "--refraction" }, "there is none with --flat; leave one of the two out");
+    this->Flat, { "--refraction" }, "--flat switches refraction off; leave one of the two out");
 }
 
 void HorizonOptions::WarnIdle(vtkImageData* terrain, const CommonOptions& common) const
@@ -149,16 +148,17 @@ void HorizonOptions::WarnIdle(vtkImageData* terrain, const CommonOptions& common
     const std::string where = place.OnBody() ? "the DEM lies on another body"
                                              : "the DEM has no CRS that places it on a body";
     PrintWarning(
-      Doubt{ "--refraction acts on the Earth alone, and " + where, "no refraction", "" }, common);
+      Doubt{ "--refraction has an effect on the Earth only, and " + where, "no refraction", "" },
+      common);
   }
 }
 
 void AddCommonOptions(CLI::App& command, CommonOptions& common)
 {
   AddWhole(command, "--threads", common.Threads, 0, MostThreads,
-    "Threads; 0: one a processor. Results do not differ")
+    "Number of threads; 0: one per processor. The result does not depend on it")
     ->type_name("N");
-  command.add_flag("-q,--quiet", common.Quiet, "No progress bar and no warnings");
+  command.add_flag("-q,--quiet", common.Quiet, "Print no progress bar and no warnings");
   command.add_flag("-v,--verbose", common.Verbose, "Print the passes that ran and their times");
 }
 

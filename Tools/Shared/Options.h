@@ -26,7 +26,7 @@ namespace skyline
 
 class UnusedOptions;
 
-/// --allow-network, --allow-elsewhere, --driver: what a file may lead to.
+/// --allow-network, --allow-elsewhere, --driver: what a file may refer to.
 struct SourceOptions
 {
   bool AllowNetwork = false;

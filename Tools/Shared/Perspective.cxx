@@ -42,7 +42,7 @@ std::string CheckSize(const std::string& text)
   if (!sides || sides->size() != 2 || (*sides)[0] != std::floor((*sides)[0]) ||
     (*sides)[1] != std::floor((*sides)[1]))
   {
-    return text + " is no size" + cure;
+    return text + " is not a size" + cure;
   }
   const auto [least, most] = std::minmax((*sides)[0], (*sides)[1]);
   return least < 1.0 || most > LargestSide ? text + " is out of range" + cure : "";
@@ -53,7 +53,7 @@ std::string CheckFrom(const std::string& text)
   const auto numbers = skyline::ReadNumbers(text);
   if (!numbers || numbers->size() != 2)
   {
-    return (numbers ? text + " is no direction" : skyline::NumbersError(text)) +
+    return (numbers ? text + " is not a direction" : skyline::NumbersError(text)) +
       "; give two numbers AZ,EL";
   }
   return (*numbers)[1] < 0.0 || (*numbers)[1] > 90.0
@@ -109,11 +109,12 @@ void PerspectiveOptions::AddTo(CLI::App& command)
 {
   command
     .add_option("--from", this->From,
-      "Perspective: where the viewer stands, azimuth and elevation seen from the terrain, degrees")
+      "Perspective: direction of the viewer from the terrain, azimuth and elevation in degrees")
     ->type_name("AZ,EL")
     ->check(Checked(CheckFrom))
     ->capture_default_str();
-  command.add_option("--size", this->Size, "Perspective: width and height of the picture, pixels")
+  command
+    .add_option("--size", this->Size, "Perspective: width and height of the picture in pixels")
     ->type_name("WxH")
     ->check(Checked(CheckSize))
     ->capture_default_str();
@@ -136,7 +137,7 @@ vtkSmartPointer<vtkImageData> DrawPerspective(vtkImageData* terrain, const Persp
   const vtkSmartPointer<vtkRenderWindow> window = MakeOffscreenWindow(reason);
   if (!window)
   {
-    throw Failure("no OpenGL to draw a perspective with: " + reason + "; --view map needs none");
+    throw Failure("a perspective view needs OpenGL: " + reason + "; --view map does not need it");
   }
   int width = 0;
   int height = 0;
@@ -148,7 +149,7 @@ vtkSmartPointer<vtkImageData> DrawPerspective(vtkImageData* terrain, const Persp
   vtkPolyData* mesh = surface->GetOutput();
   if (mesh->GetNumberOfCells() == 0)
   {
-    throw Failure("no cell of the terrain has all its posts: there is nothing to see");
+    throw Failure("every cell of the terrain has a missing post: there is nothing to see");
   }
   const auto skirt = MakeSkirt(terrain, MostMeshPosts, mesh);
   RunPass(skirt, "skirt", common);
@@ -179,7 +180,7 @@ vtkSmartPointer<vtkImageData> DrawPerspective(vtkImageData* terrain, const Persp
   const vtkIdType wanted = 3 * static_cast<vtkIdType>(Samples) * Samples * width * height;
   if (samples->GetNumberOfValues() != wanted)
   {
-    throw Failure("OpenGL gave no picture back");
+    throw Failure("OpenGL returned no picture");
   }
   window->Finalize();
   return Reduce(samples, width, height);

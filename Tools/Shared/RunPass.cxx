@@ -244,7 +244,7 @@ void RunPass(vtkAlgorithm* algorithm, const std::string& title, const CommonOpti
   }
   if (algorithm->GetErrorCode() != vtkErrorCode::NoError)
   {
-    throw Failure(title + " failed, and gives no reason");
+    throw Failure(title + " failed without a reason");
   }
   for (const std::string& warning : KeptMessages().Warnings)
   {

@@ -27,11 +27,11 @@ SunLight FindSun(const SunDescription& asked, const Georeference& place, double 
     if (!place.OnBody())
     {
       throw Failure(
-        "--time needs a DEM with a CRS, to know the place; give the sun by --sun AZ,EL");
+        "--time needs a DEM with a CRS, which gives the place; give the sun by --sun AZ,EL");
     }
     if (!place.Earth)
     {
-      throw Failure("--time knows the sun over the Earth alone; give the sun by --sun AZ,EL");
+      throw Failure("--time works on the Earth only; give the sun by --sun AZ,EL");
     }
     double longitude, latitude;
     place.LonLatAt(column, row, longitude, latitude);

@@ -33,7 +33,7 @@ std::string WhyNotWhole(const std::string& text, int least, int most)
   }
   if (*number != std::floor(*number))
   {
-    return text + " is no whole number" + cure;
+    return text + " is not a whole number" + cure;
   }
   return *number < least || *number > most ? text + " is out of range" + cure : "";
 }

@@ -131,7 +131,7 @@ void WritePng(vtkRenderWindow* window, const std::string& file)
   window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels, 0);
   if (pixels->GetNumberOfTuples() != static_cast<vtkIdType>(size[0]) * size[1])
   {
-    throw Failure("OpenGL gave no picture back");
+    throw Failure("OpenGL returned no picture");
   }
   Write(pixels, size, file);
 }

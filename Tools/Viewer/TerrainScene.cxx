@@ -81,7 +81,7 @@ TerrainScene::Mesh TerrainScene::MakeMeshActors(double posts)
   vtkPolyData* mesh = surface->GetOutput();
   if (mesh->GetNumberOfCells() == 0)
   {
-    throw Failure("no cell of the terrain has all its posts: there is nothing to see");
+    throw Failure("every cell of the terrain has a missing post: there is nothing to see");
   }
   const auto skirt = MakeSkirt(this->Heights, posts, mesh);
   skirt->Update();

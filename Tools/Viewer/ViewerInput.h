@@ -39,11 +39,11 @@ struct Modifiers
 inline const char* ViewerHelp()
 {
   return "drag left           turn the camera\n"
-         "drag middle, right  move the camera, come nearer (or the wheel)\n"
+         "drag middle, right  move the camera, zoom (or the wheel)\n"
          "drag a slider       time of day and date, or the sun's direction\n"
-         "Ctrl + drag         the same anywhere: across the hours, up the year\n"
-         "Left Right          10 minutes back, on (Shift: 1); or the azimuth\n"
-         "Up Down             a day on, back (Shift: 30); or the elevation\n"
+         "Ctrl + drag         the same anywhere: across for the hour, up for the day\n"
+         "Left Right          10 minutes back, forward (Shift: 1); or the azimuth\n"
+         "Up Down             a day forward, back (Shift: 30); or the elevation\n"
          "Space               animate a day, stop\n"
          "S                   sun on, off\n"
          "K                   next sky\n"
@@ -51,15 +51,15 @@ inline const char* ViewerHelp()
          "drop a file         .hdr or .exr: the sky; any other: the DEM\n"
          "L                   place a lamp under the mouse\n"
          "drag a lamp         move it; with the right button: up, down\n"
-         "[ ]  , .  Delete    the lamp chosen last: darker, brighter; smaller, larger; away\n"
-         "X, Shift + X        heights times 1.25, over 1.25\n"
-         "- =  A              darker, brighter picture; exposure fixed as it is, automatic\n"
+         "[ ]  , .  Delete    the lamp chosen last: darker, brighter; smaller, larger; remove\n"
+         "X, Shift + X        heights times 1.25, divided by 1.25\n"
+         "- =  A              darker, brighter picture; fix the exposure, or make it automatic\n"
          "C                   next colours of heights\n"
          "P, Shift + P        screenshot as PNG, as EXR (linear light)\n"
          "T                   frame times\n"
-         "V                   view as at the start\n"
+         "V                   back to the first view\n"
          "H                   this help\n"
-         "Escape, Q           leave";
+         "Escape, Q           end the program";
 }
 
 } // namespace skyline
