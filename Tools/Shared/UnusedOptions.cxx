@@ -3,48 +3,7 @@
 
 #include "Failure.h"
 
-namespace skyline
-{
-
-bool UnusedOptions::Given(const std::string& option) const
-{
-  const CLI::Option* found = this->Command.get_option_no_throw(option);
-  return found != nullptr && found->count() > 0;
-}
-
-void UnusedOptions::Refuse(
-  bool idle, std::initializer_list<const char*> options, const std::string& reason) const
-{
-  for (const char* option : options)
-  {
-    if (idle && this->Given(option))
-    {
-      throw WrongUsage(std::string(option) + ": " + reason);
-    }
-  }
-}
-
-void UnusedOptions::Warn(bool idle, std::initializer_list<const char*> options,
-  const std::string& reason, const CommonOptions& common) const
-{
-  for (const char* option : options)
-  {
-    if (idle && this->Given(option))
-    {
-      PrintWarning(
-        Doubt{ std::string(option) + " does nothing here: " + reason, "the result without it", "" },
-        common);
-    }
-  }
-}
-
-} // namespace skyline
 #include <CLI/CLI.hpp>
-
-// SPDX-License-Identifier: BSD-3-Clause
-#include "UnusedOptions.h"
-
-#include "Failure.h"
 
 namespace skyline
 {
