@@ -61,13 +61,13 @@ Result MeasureDevice(ReferenceScene& reference, bool pyramid)
   return result;
 }
 
-// Adds jobs on the horizons of a reference.
+// Adds jobs on the horizons of a scene.
 class HorizonJobs
 {
 public:
   HorizonJobs(std::vector<Job>& jobs, const ReferenceScenePointer& reference)
     : Jobs(jobs)
-    , ReferenceScene(reference)
+    , Reference(reference)
   {
   }
 
@@ -75,15 +75,15 @@ public:
     const std::function<Result()>& measure)
   {
     AddJob(
-      this->Jobs, this->ReferenceScene, "horizon", kind, label, settings, turn,
-      [reference = this->ReferenceScene] { reference->Horizons(); }, measure);
+      this->Jobs, this->Reference, "horizon", kind, label, settings, turn,
+      [reference = this->Reference] { reference->Horizons(); }, measure);
   }
 
   void AddKernel(const char* kind, const std::string& label, const std::string& settings, int turn,
     const HorizonSettings& how)
   {
     this->Add(kind, label, settings, turn,
-      [reference = this->ReferenceScene, how]
+      [reference = this->Reference, how]
       {
         return MeasureKernel(
           reference->Scene, reference->Horizons(),
@@ -99,7 +99,7 @@ public:
 
 private:
   std::vector<Job>& Jobs;
-  ReferenceScenePointer ReferenceScene;
+  ReferenceScenePointer Reference;
 };
 
 void HorizonJobs::AddMethods()
@@ -125,7 +125,7 @@ void HorizonJobs::AddPeers(bool much)
 {
   this->Add("every", "every crossing", "plain loops, every eighth azimuth",
     much ? MainTurn : PeerTurn,
-    [reference = this->ReferenceScene]
+    [reference = this->Reference]
     {
       return MeasureKernel(
         reference->Scene, reference->Horizons(),
@@ -139,14 +139,14 @@ void HorizonJobs::AddPeers(bool much)
     std::snprintf(label, sizeof label, "Embree %.2f°", accuracy);
     this->Add("embree", label, "occlusion rays, bracket from the previous azimuth",
       accuracy > 0.1 && much ? MainTurn : PeerTurn,
-      [reference = this->ReferenceScene, accuracy]
+      [reference = this->Reference, accuracy]
       {
         return MeasureEmbree(
           reference->Scene, reference->Horizons(), accuracy, reference->Work.Repeats);
       });
   }
   this->Add("grass", "GRASS r.horizon", "-d, whole raster, with start and files", PeerTurn,
-    [reference = this->ReferenceScene]
+    [reference = this->Reference]
     { return MeasureGrass(reference->Scene, reference->Horizons(), 1); });
 }
 

@@ -37,7 +37,7 @@ constexpr SearchMethod Searches[] = { { "exact", vtkHeightFieldAlgorithm::EXACT 
 
 using ReferenceScenePointer = std::shared_ptr<ReferenceScene>;
 
-/// Adds a job on a reference. The other arguments are those of Task and Job.
+/// Adds a job on a scene. The other arguments are those of Task and Job.
 void AddJob(std::vector<Job>& jobs, const ReferenceScenePointer& reference, const char* quantity,
   const char* kind, const std::string& label, const std::string& settings, int turn,
   std::function<void()> prepare, std::function<Result()> measure);

@@ -29,24 +29,24 @@ bool IsAmong(const std::string& name, const std::vector<std::string>& names)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::vector<ReferenceScenePointer> MakeStages(
+std::vector<ReferenceScenePointer> MakeReferenceScenes(
   const SessionOptions& options, const WantsToStop& stop)
 {
-  std::vector<ReferenceScenePointer> stages;
+  std::vector<ReferenceScenePointer> scenes;
   const auto add = [&](const std::string& scene, int size, bool named)
   {
     Effort effort;
     effort.Size = size;
     Scene made = MakeScene(scene, size);
     made.Name += named ? " " + std::to_string(size) : "";
-    for (int copy = 2; std::any_of(stages.begin(), stages.end(),
+    for (int copy = 2; std::any_of(scenes.begin(), scenes.end(),
            [&](const ReferenceScenePointer& reference)
            { return reference->Scene.Name == made.Name; });
          ++copy) // for files with the same name
     {
       made.Name = made.Name.substr(0, made.Name.find(" #")) + " #" + std::to_string(copy);
     }
-    stages.push_back(std::make_shared<ReferenceScene>(std::move(made), effort, stop));
+    scenes.push_back(std::make_shared<ReferenceScene>(std::move(made), effort, stop));
   };
   for (const std::string& file : options.Rasters) // rasters of the user come first
   {
@@ -64,7 +64,7 @@ std::vector<ReferenceScenePointer> MakeStages(
       add(scene, size, options.Sizes.size() > 1);
     }
   }
-  return stages;
+  return scenes;
 }
 
 // A killed child leaves its temporary files behind. They lie in this folder, which is removed at
@@ -118,7 +118,7 @@ Result MeasureWithin(
 }
 
 std::vector<Job> MakeJobs(
-  const SessionOptions& options, const std::vector<ReferenceScenePointer>& stages)
+  const SessionOptions& options, const std::vector<ReferenceScenePointer>& scenes)
 {
   std::vector<Job> jobs;
   const auto begins =
@@ -127,13 +127,13 @@ std::vector<Job> MakeJobs(
     return std::any_of(names.begin(), names.end(),
       [&](const char* name) { return reference->Scene.Name.rfind(name, 0) == 0; });
   };
-  for (std::size_t k = 0; k < stages.size(); ++k)
+  for (std::size_t k = 0; k < scenes.size(); ++k)
   {
-    const ReferenceScenePointer& reference = stages[k];
+    const ReferenceScenePointer& reference = scenes[k];
     // Light is measured on a few scenes only, because its errors follow those of the horizons.
     const bool main =
       k < options.Rasters.size() || begins(reference, { "hills", "helens", "lidar" });
-    const bool only = stages.size() == 1;
+    const bool only = scenes.size() == 1;
     const std::size_t before = jobs.size();
     AddHorizonJobs(jobs, reference, main || only);
     if (main || only)
@@ -193,12 +193,12 @@ Session RunSession(
   const auto stopped = [&] { return stop && stop(); };
   session.Budget = options.Budget;
   session.Machine = MachineFacts();
-  const std::vector<ReferenceScenePointer> stages = MakeStages(options, stop);
-  for (const ReferenceScenePointer& reference : stages)
+  const std::vector<ReferenceScenePointer> scenes = MakeReferenceScenes(options, stop);
+  for (const ReferenceScenePointer& reference : scenes)
   {
     session.Scenes.emplace_back(reference->Scene.Name, reference->Scene.Description);
   }
-  const std::vector<Job> jobs = MakeJobs(options, stages);
+  const std::vector<Job> jobs = MakeJobs(options, scenes);
   if (jobs.empty())
   {
     throw std::runtime_error(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares the light of point suns with the reference, in the window of a reference.
+// Compares the light of point suns with the reference, in the window of a scene.
 #ifndef skyline_SunScore_h
 #define skyline_SunScore_h
 

@@ -34,9 +34,10 @@ enum class AzimuthAxes
 class SKYLINEFILTERS_EXPORT HorizonDriver
 {
 public:
-  /// `settings` says how horizons are found; its CurvatureDrop is replaced by that of the input
-  /// (HorizonInput::CurvatureDrop). `pyramids` keeps the pyramid of the method Pyramid; null: one
-  /// is built for each run. `input` and `pyramids` must outlive the driver.
+  /// `settings` says how horizons are found; its CurvatureDrop must be that of the input
+  /// (HorizonInput::CurvatureDrop), or 0 for a flat field. `pyramids` keeps the pyramid of the
+  /// method Pyramid; null: one is built for each run. `input` and `pyramids` must outlive the
+  /// driver.
   HorizonDriver(
     HorizonInput& input, const HorizonSettings& settings, PyramidCache* pyramids = nullptr);
 

@@ -36,7 +36,7 @@ std::optional<Doubt> FarLamp(int number, const LampPlace& lamp, const std::array
     return std::nullopt;
   }
   return Doubt{ "lamp " + std::to_string(number) + " stands " + Length(distance) +
-      " beside the height field, too far to light it",
+      " outside the height field, too far to light it",
     "its X and Y are coordinates in the CRS of the height field", "" };
 }
 

@@ -17,6 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -102,9 +103,9 @@ int vtkHeightFieldCap::RequestData(
   const std::string failure = skyline::ReasonOfFailure(input,
     [&]
     {
+      skyline::CheckWhole(in[0]->GetInformationObject(0));
       skyline::CheckSurface(input);
       skyline::CheckHeights(input, heights);
-      skyline::CheckWhole(in[0]->GetInformationObject(0));
       posts.resize(static_cast<std::size_t>(heights->GetNumberOfTuples()));
       for (vtkIdType post = 0; post < heights->GetNumberOfTuples(); ++post)
       {

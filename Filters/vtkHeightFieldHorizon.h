@@ -39,7 +39,8 @@ protected:
 
   bool Compute(skyline::HorizonDriver& driver, vtkImageData* output) override;
 
-  /// Fills `values` with NumberOfAzimuths values per post, in degrees. Returns false if aborted.
+  /// Fills `values` with NumberOfAzimuths values per post, in degrees; `azimuths` are in radians.
+  /// Returns false if aborted.
   virtual bool Store(
     skyline::HorizonDriver& driver, const std::vector<double>& azimuths, float* values);
 

@@ -5,9 +5,9 @@
  *
  * Adds the float array `Irradiance` with the components R, G and B: the integral of L V max(0, n.d)
  * over all directions d, for the sum of all lights. L is the radiance of the lights, V the
- * visibility, and n the normal at the post, or the vertical with Horizontal. The radiance of a white
- * Lambertian surface is Irradiance / pi. Environments, suns and key lights count only above the
- * horizontal plane; lamps count wherever they are.
+ * visibility, and n the normal at the post, or the vertical with Horizontal. The radiance of a
+ * white Lambertian surface is Irradiance / pi. Environments, suns and key lights count only above
+ * the horizontal plane; lamps count wherever they are.
  *
  * The cost depends on the lights. All environments and large key lights share one pass over
  * NumberOfAzimuths azimuths, plus the azimuths that are added for bright spots. Each sun or small

@@ -208,7 +208,10 @@ vtkDataArray* vtkHeightFieldShading::FindFurtherLight(vtkImageData* image) const
     (light->GetNumberOfComponents() != 3 ||
       light->GetNumberOfTuples() != image->GetNumberOfPoints()))
   {
-    throw std::invalid_argument("no irradiance: the array does not have three components");
+    throw std::invalid_argument("the array " + this->IrradianceArrayName + " has " +
+      std::to_string(light->GetNumberOfTuples()) + " x " +
+      std::to_string(light->GetNumberOfComponents()) + " values; irradiance needs " +
+      std::to_string(image->GetNumberOfPoints()) + " x 3, as vtkHeightFieldIrradiance makes it");
   }
   return light;
 }

@@ -68,7 +68,8 @@ public:
     if (extent[4] != extent[5] || this->Last[0] < 1 || this->Last[1] < 1)
     {
       throw std::invalid_argument(
-        "the shadow heights are not an image of one slice with at least 2 x 2 posts");
+        "the shadow heights are not an image of one slice with at least 2 x 2 posts; give the "
+        "output of vtkHeightFieldShadowHeight");
     }
     if (this->Hard == nullptr)
     {

@@ -11,7 +11,7 @@
  *   hemisphere.
  * - `PositiveOpenness`: the mean zenith angle of the horizon in degrees, 0 to 180.
  *
- * No horizon is stored; the filter needs less than 10 floats per post.
+ * No horizon is stored; the filter needs fewer than 10 floats per post.
  *
  * Nothing is assumed beyond the edge of the data: where no terrain lies in a direction, the horizon
  * there is -90 degrees. Therefore posts near the edge see too much sky: on level ground

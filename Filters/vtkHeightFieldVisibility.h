@@ -69,7 +69,7 @@ protected:
   bool Project(
     skyline::HorizonDriver& driver, vtkImageData* output, const char* name, bool withCosine);
 
-  /// Adds up the visible sky over azimuths (degrees, each standing for `width` radians) into
+  /// Adds up the visible sky over azimuths (radians, each standing for `width` radians) into
   /// NumberOfBands^2 values per post. `east` and `north` are the gradients of the posts, or null
   /// for no cosine. Returns false if aborted.
   virtual bool Sum(skyline::HorizonDriver& driver, const std::vector<double>& azimuths,

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 vtkStandardNewMacro(vtkSkylineEnvironmentLight);
 
@@ -144,13 +145,14 @@ skyline::TurnedLightMap vtkSkylineEnvironmentLight::GetLightMap()
   if (!std::isfinite(this->Rotation))
   {
     throw std::invalid_argument(
-      "the rotation of the environment is not a finite number of degrees");
+      "the rotation of the environment is not a finite number; give degrees");
   }
   for (const double factor : this->Radiance)
   {
     if (!(factor >= 0.0 && std::isfinite(factor)))
     {
-      throw std::invalid_argument("an environment's radiance is below 0 or not finite");
+      throw std::invalid_argument("an environment's radiance is below 0 or not finite: " +
+        std::to_string(factor) + "; give 0 or more");
     }
   }
   if (this->PixelTime < this->GetMTime())

@@ -38,9 +38,9 @@ constexpr double PlaceSlack = 1e-6;
 class GeoTiffChecker
 {
 public:
-  GeoTiffChecker(const ExpectedGeoTiff& promise, const AtomicFile& file)
-    : Promise(promise)
-    , Content(*promise.Content)
+  GeoTiffChecker(const ExpectedGeoTiff& expected, const AtomicFile& file)
+    : Expected(expected)
+    , Content(*expected.Content)
     , File(file)
   {
   }
@@ -53,7 +53,7 @@ public:
     GDALRasterBand* band = dataset->GetRasterBand(1);
     int blockColumns = 1, blockRows = 1;
     band->GetBlockSize(&blockColumns, &blockRows);
-    const int bytes = GDALGetDataTypeSizeBytes(this->Promise.Buffer);
+    const int bytes = GDALGetDataTypeSizeBytes(this->Expected.Buffer);
     const int bands = static_cast<int>(this->Content.Bands.size());
     const double blockBytes = static_cast<double>(this->Content.Columns) * blockRows * bytes;
     const auto blocks = static_cast<std::int64_t>(std::clamp(JobBytes / blockBytes, 1.0, 1e6));
@@ -68,7 +68,7 @@ public:
       const int begin = job / groups * rows;
       const int count = std::min(rows, this->Content.Rows - begin);
       const int first = shared ? 0 : job % groups;
-      if (this->Promise.Buffer == GDT_Float32)
+      if (this->Expected.Buffer == GDT_Float32)
       {
         this->Compare<float>(begin, count, first, shared ? bands : 1);
       }
@@ -153,9 +153,9 @@ private:
       }
       int found = 0;
       const double nodata = band->GetNoDataValue(&found);
-      const bool same =
-        nodata == this->Promise.Nodata || (std::isnan(nodata) && std::isnan(this->Promise.Nodata));
-      if (this->Promise.DeclareNodata && (!found || !same))
+      const bool same = nodata == this->Expected.Nodata ||
+        (std::isnan(nodata) && std::isnan(this->Expected.Nodata));
+      if (this->Expected.DeclareNodata && (!found || !same))
       {
         this->Fail("the nodata value of band " + std::to_string(i + 1));
       }
@@ -172,9 +172,9 @@ private:
     std::vector<T> wanted(size), stored(size);
     for (int band = first; band < first + bands; ++band)
     {
-      GatherRows(this->Content, this->Promise.Nodata, wanted.data(), size, row, count, band, 1);
+      GatherRows(this->Content, this->Expected.Nodata, wanted.data(), size, row, count, band, 1);
       const CPLErr failed = dataset->GetRasterBand(band + 1)->RasterIO(GF_Read, 0, row, columns,
-        count, stored.data(), columns, count, this->Promise.Buffer, 0, 0, nullptr);
+        count, stored.data(), columns, count, this->Expected.Buffer, 0, 0, nullptr);
       if (failed != CE_None || errors.Any())
       {
         this->File.Fail("what was written cannot be read back: " + errors.First());
@@ -228,7 +228,7 @@ private:
     }
   }
 
-  const ExpectedGeoTiff& Promise;
+  const ExpectedGeoTiff& Expected;
   const GeoTiffContent& Content;
   const AtomicFile& File;
   mutable std::mutex Mutex;
@@ -237,10 +237,10 @@ private:
 
 } // namespace
 
-void CheckGeoTiff(
-  const ExpectedGeoTiff& promise, const AtomicFile& file, const std::function<void(double)>& report)
+void CheckGeoTiff(const ExpectedGeoTiff& expected, const AtomicFile& file,
+  const std::function<void(double)>& report)
 {
-  GeoTiffChecker(promise, file).Check(report);
+  GeoTiffChecker(expected, file).Check(report);
 }
 
 } // namespace skyline

@@ -26,9 +26,9 @@ struct ExpectedGeoTiff
 
 /// Reads every block of the file, on all threads. Compares each number with the arrays, and the
 /// georeference, the nodata value and the descriptions with the expected ones. Overviews are read
-/// but not compared. Throws IoFailure if the file differs from `promise`. `report` receives the
+/// but not compared. Throws IoFailure if the file differs from `expected`. `report` receives the
 /// completed part (0 to 1) and may throw.
-void CheckGeoTiff(const ExpectedGeoTiff& promise, const AtomicFile& file,
+void CheckGeoTiff(const ExpectedGeoTiff& expected, const AtomicFile& file,
   const std::function<void(double)>& report);
 
 } // namespace skyline

@@ -38,8 +38,8 @@ struct MemoryFile
 class Packer
 {
 public:
-  Packer(const PackingOptions& way, const AtomicFile& file)
-    : Way(way)
+  Packer(const PackingOptions& packing, const AtomicFile& file)
+    : Packing(packing)
     , File(file)
   {
   }
@@ -48,8 +48,9 @@ public:
   PackedRows Pack(int band, int row, int count)
   {
     std::vector<T> rows(
-      static_cast<std::size_t>(this->Way.Content->Columns) * static_cast<std::size_t>(count));
-    GatherRows(*this->Way.Content, this->Way.Nodata, rows.data(), rows.size(), row, count, band, 1);
+      static_cast<std::size_t>(this->Packing.Content->Columns) * static_cast<std::size_t>(count));
+    GatherRows(
+      *this->Packing.Content, this->Packing.Nodata, rows.data(), rows.size(), row, count, band, 1);
     this->Write(rows.data(), count);
     PackedRows packed;
     this->FindBlocks(packed, count);
@@ -68,8 +69,8 @@ private:
 
   void Write(void* rows, int count) const
   {
-    const int columns = this->Way.Content->Columns;
-    CPLStringList options(CSLDuplicate(const_cast<char**>(this->Way.Options)));
+    const int columns = this->Packing.Content->Columns;
+    CPLStringList options(CSLDuplicate(const_cast<char**>(this->Packing.Options)));
     if (!options.FetchBool("TILED", false))
     {
       const int strip =
@@ -79,10 +80,10 @@ private:
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
     this->Check(driver != nullptr);
     GdalDataset dataset(driver->Create(
-      this->Memory.Name.c_str(), columns, count, 1, this->Way.Stored, options.List()));
+      this->Memory.Name.c_str(), columns, count, 1, this->Packing.Stored, options.List()));
     this->Check(dataset != nullptr);
     this->Check(dataset->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, columns, count, rows, columns,
-                  count, this->Way.Buffer, 0, 0, nullptr) == CE_None);
+                  count, this->Packing.Buffer, 0, 0, nullptr) == CE_None);
     dataset->FlushCache(false);
     dataset.reset();
     this->Check(true);
@@ -105,7 +106,7 @@ private:
     band->GetBlockSize(&blockColumns, &blockRows);
     for (int y = 0; y * blockRows < count; ++y)
     {
-      for (int x = 0; x * blockColumns < this->Way.Content->Columns; ++x)
+      for (int x = 0; x * blockColumns < this->Packing.Content->Columns; ++x)
       {
         const std::string block = std::to_string(x) + "_" + std::to_string(y);
         packed.Blocks.emplace_back(
@@ -127,18 +128,19 @@ private:
   }
 
   const GdalErrors Errors; // first, so that errors on removing the file are recorded
-  const PackingOptions& Way;
+  const PackingOptions& Packing;
   const AtomicFile& File;
   const MemoryFile Memory;
 };
 
 } // namespace
 
-PackedRows PackRows(const PackingOptions& way, int band, int row, int count, const AtomicFile& file)
+PackedRows PackRows(
+  const PackingOptions& packing, int band, int row, int count, const AtomicFile& file)
 {
-  Packer packer(way, file);
-  return way.Buffer == GDT_Float32 ? packer.Pack<float>(band, row, count)
-                                   : packer.Pack<double>(band, row, count);
+  Packer packer(packing, file);
+  return packing.Buffer == GDT_Float32 ? packer.Pack<float>(band, row, count)
+                                       : packer.Pack<double>(band, row, count);
 }
 
 } // namespace skyline

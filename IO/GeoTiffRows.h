@@ -37,7 +37,7 @@ struct PackedRows
 /// must be the first row of a row of blocks. Throws what GDAL reports in this thread as an
 /// IoFailure of `file`.
 PackedRows PackRows(
-  const PackingOptions& way, int band, int row, int count, const AtomicFile& file);
+  const PackingOptions& packing, int band, int row, int count, const AtomicFile& file);
 
 } // namespace skyline
 

@@ -291,10 +291,10 @@ void RasterSource::ReadValues()
       ", not heights; convert them to real numbers (gdal_translate -ot Float32)");
   }
 
-  const HeightConversion meaning =
+  const HeightConversion conversion =
     ReadHeightConversion(*this->Dataset, *this->Band, this->Crs, this->File, this->Doubts);
-  this->Scale = meaning.Scale;
-  this->Offset = meaning.Offset;
+  this->Scale = conversion.Scale;
+  this->Offset = conversion.Offset;
 
   int found = 0;
   if (gdalType == GDT_Int64)

@@ -151,7 +151,7 @@ private:
     return true;
   }
 
-  bool IsEndangered(const std::string& path) const
+  bool IsToBeReplaced(const std::string& path) const
   {
     Identity identity;
     return this->Is(path, identity) && this->FilesToBeReplaced.count(identity) > 0;
@@ -172,7 +172,7 @@ private:
     const bool extended = dot != std::string::npos && path[dot] == '.';
     const std::string stem = extended ? path.substr(0, dot) : path;
     const auto beside = [this](const std::string& begin)
-    { return [this, begin](const char* end) { return this->IsEndangered(begin + end); }; };
+    { return [this, begin](const char* end) { return this->IsToBeReplaced(begin + end); }; };
     return std::any_of(Behind.begin(), Behind.end(), beside(path)) ||
       std::any_of(Instead.begin(), Instead.end(), beside(stem)) || this->FindsInFile(path);
   }

@@ -3,16 +3,16 @@
  * @class   vtkHeightFieldFileWriter
  * @brief   writes a height field to a file, complete or not at all
  *
- * This is the base class of Skyline's writers. The input is a two-dimensional vtkImageData whose row
- * 0 is the southern edge. The writer writes to a temporary file beside FileName and renames it on
- * success, so that no partial file ever has that name. On failure and on abort, the temporary file
- * is removed. A file from which the input was read is never replaced; the reader lists these files
- * in the field data SourceFiles.
+ * This is the base class of Skyline's writers. The input is a two-dimensional vtkImageData whose
+ * row 0 is the southern edge. The writer writes to a temporary file beside FileName and renames it
+ * on success, so that no partial file ever has that name. On failure and on abort, the temporary
+ * file is removed. A file from which the input was read is never replaced; the reader lists these
+ * files in the field data SourceFiles.
  *
- * Write() returns 1 on success and 0 otherwise. A failure is reported by an ErrorEvent with one line
- * that names the file, the value and the remedy, and by an error code (GetErrorCode). After an abort
- * the code is vtkErrorCode::UserError and no error is reported. Update() also writes the file, if
- * the input or the writer has changed.
+ * Write() returns 1 on success and 0 otherwise. A failure is reported by an ErrorEvent with one
+ * line that names the file, the value and the remedy, and by an error code (GetErrorCode). After an
+ * abort the code is vtkErrorCode::UserError and no error is reported. Update() also writes the
+ * file, if the input or the writer has changed.
  */
 #ifndef vtkHeightFieldFileWriter_h
 #define vtkHeightFieldFileWriter_h

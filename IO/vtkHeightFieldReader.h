@@ -27,9 +27,9 @@
  *
  * A raster can name other files and servers: sources, masks, overviews. These names were chosen by
  * the author of the file and not by the user. Therefore only files in the folder of the raster and
- * below are read, only with drivers for local rasters , and nothing is
- * read from the network. AllowElsewhere, AllowNetwork and AddDriver permit more. A refusal is an
- * error that names the file and the option that allows it. See Documentation/untrusted-files.md.
+ * below are read, only with drivers for local rasters, and nothing is read from the network.
+ * AllowElsewhere, AllowNetwork and AddDriver permit more. A refusal is an error that names the file
+ * and the option that allows it. See Documentation/untrusted-files.md.
  *
  * A pipe (/vsistdin/, /dev/stdin, a named pipe) is read once, into a temporary file that is kept
  * until FileName changes. A pipe that no program writes to is an error after ten seconds.

@@ -5,10 +5,11 @@
  *
  * Each component of each array becomes a band, north-up. The CRS and the geotransform are those in
  * the field data of the input, as vtkHeightFieldReader stores them. All bands have the narrowest
- * type that holds all arrays. Missing posts (NaN, infinite values) of float and double arrays become the nodata
- * value. This is the NodataValue in the field data of the input if no result can have it (NaN, or a
- * magnitude above 1000), else -9999, or NaN if a value is exactly that number. The nodata value is
- * declared if posts are missing or if the input declares one. Integer bands have none.
+ * type that holds all arrays. Missing posts (NaN, infinite values) of float and double arrays
+ * become the nodata value. This is the NodataValue in the field data of the input if no result can
+ * have it (NaN, or a magnitude above 1000), else -9999, or NaN if a value is exactly that number.
+ * The nodata value is declared if posts are missing or if the input declares one. Integer bands
+ * have none.
  *
  * The file has DEFLATE compression with a predictor, tiles if it has more than 512 x 512 posts, and
  * bands one after the other. It is a BigTIFF if necessary. For errors and aborts see

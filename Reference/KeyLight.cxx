@@ -16,15 +16,6 @@ namespace skyline
 namespace
 {
 
-constexpr double Circle = 2.0 * Pi;
-
-/// The same angle in [0, 2 pi).
-double Turned(double angle)
-{
-  const double turned = std::fmod(angle, Circle);
-  return turned < 0.0 ? turned + Circle : turned;
-}
-
 /// The transfer vector of a receiver with the given normal that sees the sky of the whole swath.
 std::vector<double> OpenTransfer(const Swath& swath, int bands, const double normal[3])
 {
@@ -111,9 +102,9 @@ Swath SwathOf(const KeyLight& light)
   const double cosine = std::cos(light.Elevation);
   if (light.Elevation + light.Radius >= 0.5 * Pi || sine >= cosine)
   {
-    return { Turned(light.Azimuth), Circle };
+    return { ModuloCircle(light.Azimuth), Circle };
   }
-  return { Turned(light.Azimuth), std::max(LeastSwath, 2.0 * std::asin(sine / cosine)) };
+  return { ModuloCircle(light.Azimuth), std::max(LeastSwath, 2.0 * std::asin(sine / cosine)) };
 }
 
 double FacingIrradiance(const KeyLight& light)

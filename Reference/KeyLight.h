@@ -6,12 +6,26 @@
 
 #include "Harmonics/SphericalHarmonics.h"
 #include "Horizon/Swath.h"
+#include "Shared/Constants.h"
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace skyline
 {
+
+/// The narrowest swath, 0.05 degrees: a narrower one resolves nothing, and one of width 0 has no
+/// weight.
+constexpr double LeastSwath = 0.05 * RadiansPerDegree;
+
+/// The full circle, and an angle modulo the full circle, in radians: 0 or more, below 2 pi.
+constexpr double Circle = 2.0 * Pi;
+inline double ModuloCircle(double angle)
+{
+  const double rest = std::fmod(angle, Circle);
+  return rest < 0.0 ? rest + Circle : rest;
+}
 
 /// A distant disc of uniform radiance. Angles in radians.
 struct KeyLight

@@ -68,7 +68,7 @@ inline bool MeetsTriangle(const Vector3& o, const Vector3& d, const Vector3& a, 
   return i >= -slack && j >= -slack && i + j <= 1.0 + slack && t > 1e-9 * end && t <= end;
 }
 
-/// Whether terrain (triangles, without drop) blocks the ray from a post along a unit vector within
+/// Whether terrain (triangles, without curvature) blocks the ray from a post along a unit vector within
 /// `end` metres. A ray that starts downwards into the surface is blocked at once.
 inline bool Stopped(
   const OracleField& field, std::ptrdiff_t column, std::ptrdiff_t row, const Vector3& d, double end)

@@ -12,15 +12,6 @@ namespace skyline
 namespace
 {
 
-constexpr double Circle = 2.0 * Pi;
-
-/// The angle modulo 2 pi, in [0, 2 pi).
-double Turned(double angle)
-{
-  const double turned = std::fmod(angle, Circle);
-  return turned < 0.0 ? turned + Circle : turned;
-}
-
 struct Span
 {
   double Begin, End; // radians; End is at most Begin + 2 pi
@@ -29,7 +20,7 @@ struct Span
 
 Swath SwathBetween(double begin, double end)
 {
-  return { Turned(0.5 * (begin + end)), std::min(end - begin, Circle) };
+  return { ModuloCircle(0.5 * (begin + end)), std::min(end - begin, Circle) };
 }
 
 } // namespace
@@ -40,7 +31,7 @@ std::vector<SharedSwath> ShareSwaths(const std::vector<KeyLight>& lights)
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
     const Swath swath = SwathOf(lights[i]);
-    const double begin = Turned(swath.Azimuth - 0.5 * swath.Width);
+    const double begin = ModuloCircle(swath.Azimuth - 0.5 * swath.Width);
     spans.push_back({ begin, begin + swath.Width, { i } });
   }
   std::sort(

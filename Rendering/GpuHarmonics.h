@@ -35,7 +35,7 @@ public:
   struct Task
   {
     int Bands = 4;
-    const std::vector<double>* Azimuths = nullptr; ///< degrees
+    const std::vector<double>* Azimuths = nullptr; ///< radians
     double Width = 0.0;                            ///< radians, of each swath
     /// Gradients dz/dx and dz/dy for the transfer; null for the visibility.
     const float* East = nullptr;
@@ -50,7 +50,7 @@ public:
   /// Returns false if the run was cancelled. Throws std::runtime_error with a reason of one line.
   bool Run(HorizonDriver& driver, const Task& task);
 
-  /// Stores the horizons of all posts in degrees, one component per azimuth (degrees): the
+  /// Stores the horizons of all posts in degrees, one component per azimuth (radians): the
   /// counterpart of StoreAccumulator.
   bool Store(HorizonDriver& driver, const std::vector<double>& azimuths, float* degrees);
 

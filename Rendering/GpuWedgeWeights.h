@@ -9,7 +9,7 @@
 namespace skyline
 {
 
-/// The texels of GpuWedges.glsl for up to four azimuths (degrees), whose swaths are `width` radians
+/// The texels of GpuWedges.glsl for up to four azimuths (radians), whose swaths are `width` radians
 /// wide. The weights of unused channels are 0.
 std::vector<float> WedgeTexels(int bands, const std::vector<double>& azimuths, double width);
 

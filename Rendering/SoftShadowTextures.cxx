@@ -137,7 +137,8 @@ std::string SoftShadowTextures::SendGradients(
 {
   vtkDataArray* heights = this->Find(name, 1, 1);
   heights = heights ? heights : this->Image->GetPointData()->GetScalars();
-  if (!heights || heights->GetNumberOfComponents() != 1)
+  if (!heights || heights->GetNumberOfComponents() != 1 ||
+    heights->GetNumberOfTuples() != this->Image->GetNumberOfPoints())
   {
     return this->Missing(name, "1");
   }

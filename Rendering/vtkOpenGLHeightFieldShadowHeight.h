@@ -3,9 +3,9 @@
  * @class   vtkOpenGLHeightFieldShadowHeight
  * @brief   the height of the terrain's shadow over each post, computed by a graphics processor
  *
- * GPU counterpart of vtkHeightFieldShadowHeight with the same settings and arrays. The values differ
- * by the rounding of floats; all heights are 32-bit floats. The height field must fit into one
- * texture.
+ * GPU counterpart of vtkHeightFieldShadowHeight with the same settings and arrays. The values
+ * differ by the rounding of floats; all heights are 32-bit floats. The height field must fit into
+ * one texture.
  *
  * - EXACT and FAST follow each ray, in a fragment shader, until the ray is above the highest post.
  * - SWEEP, the recurrence of Lee & Kim, needs compute shaders (OpenGL 4.3). Each work group

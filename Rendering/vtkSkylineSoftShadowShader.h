@@ -22,18 +22,19 @@
  *
  * The ground is Lambertian: its radiance is albedo * E / pi. The albedo is the colour that VTK
  * would show without light: the diffuse colour of the actor, colours from scalars, or draped
- * textures, as sRGB codes. The exposure and the tone curve are applied to the result, which is shown
- * as sRGB codes.
+ * textures, as sRGB codes. The exposure and the tone curve are applied to the result, which is
+ * shown as sRGB codes.
  *
  * Other mappers use this class as vtkSkylineSoftShadowPolyDataMapper does: call Prepare before
  * drawing, ReplaceShaderValues on the shader templates (instead of the mapper's own light), then
- * Activate, SetUniforms for each program, and Deactivate. The mesh must be in the coordinates of the
- * image. The matrix of an actor does not change the light, except in the mode RECEIVER, where it moves the
- * mesh through the shadow (SetPlacement). Several mappers can share one shader and its textures.
+ * Activate, SetUniforms for each program, and Deactivate. The mesh must be in the coordinates of
+ * the image. The matrix of an actor does not change the light, except in the mode RECEIVER, where
+ * it moves the mesh through the shadow (SetPlacement). Several mappers can share one shader and its
+ * textures.
  *
  * Missing posts (NaN) take their light from their neighbours, so that a mesh with coarser cells has
- * no black rims. The axes are x east, y north and z up. Harmonics are real, orthonormal and without
- * the Condon-Shortley phase; their index is l * l + l + m.
+ * no black edges. The axes are x east, y north and z up. Harmonics are real, orthonormal and
+ * without the Condon-Shortley phase; their index is l * l + l + m.
  */
 #ifndef vtkSkylineSoftShadowShader_h
 #define vtkSkylineSoftShadowShader_h
@@ -209,8 +210,9 @@ public:
 
   /**
    * Uploads changed arrays to textures of the window, whose context must be current. Returns false
-   * if the terrain cannot be lit: there is no height field, an array is missing, or there are more
-   * posts than a texture can hold. The reason is reported as an error, once until it changes.
+   * if the terrain cannot be lit: there is no height field, an array is missing, there are more
+   * posts than a texture can hold, or, in the mode VISIBILITY, the filters would refuse the heights
+   * or their georeference. The reason is reported as an error, once until it changes.
    */
   bool Prepare(vtkOpenGLRenderWindow* window);
 

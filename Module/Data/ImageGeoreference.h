@@ -20,7 +20,8 @@ namespace skyline
 constexpr const char* CrsArrayName = "CRS";                   ///< string: WKT
 constexpr const char* GeoTransformArrayName = "GeoTransform"; ///< 6 doubles in GDAL's order
 constexpr const char* BodyArrayName = "BodyEllipsoid";        ///< equatorial radius in metres,
-                                                              ///< flattening, 1 on the Earth
+                                                              ///< flattening, 1 on the Earth or
+                                                              ///< 0 elsewhere
 constexpr const char* LatticeArrayName = "LonLatLattice"; ///< longitude and latitude in degrees of
                                                           ///< each node
 constexpr const char* LatticeSizeArrayName = "LonLatLatticeSize"; ///< 2 ints: columns, rows
@@ -39,8 +40,8 @@ SKYLINECORE_EXPORT void StoreGeoreference(const Georeference& georeference, vtkD
 SKYLINECORE_EXPORT Georeference LoadGeoreference(vtkDataObject* data);
 
 /// The same for a height field. Throws std::invalid_argument if the number of posts in the
-/// georeference differs from that of the image, as after cropping or resampling. Without a place on
-/// a body, the dimensions of the image are used.
+/// georeference differs from that of the image, as after cropping or resampling. A georeference
+/// without geotransform, body and row spacings gets the dimensions of the image instead.
 SKYLINECORE_EXPORT Georeference GeoreferenceOf(vtkImageData* image);
 
 /// Stores the nodata value that a raster declares in the field data of `data`.

@@ -61,12 +61,12 @@ struct SKYLINECORE_EXPORT ElevationIntegral
   double Lost(double horizon) const;
 };
 
-/// The integral of band l, 0 to 7, and order m, 0 to l. The normalisation includes the sqrt(2) of m
-/// > 0. The azimuthal factor (cos(m p) or sin(m p)) is left out.
+/// The integral of band l, 0 to 7, and order m, 0 to l. The normalisation includes the sqrt(2)
+/// of m > 0. The azimuthal factor (cos(m p) or sin(m p)) is left out.
 SKYLINECORE_EXPORT ElevationIntegral MakeElevationIntegral(int l, int m, ElevationWeight weight);
 
-/// The integrals of all l and all m >= 0 of the bands, ordered by m: (m, l) = (0, 0), (0, 1) .. (1,
-/// 1) ..
+/// The integrals of all l and all m >= 0 of the bands, ordered by m:
+/// (m, l) = (0, 0), (0, 1) .. (1, 1) ..
 SKYLINECORE_EXPORT std::vector<ElevationIntegral> ElevationIntegrals(
   int bands, ElevationWeight weight);
 

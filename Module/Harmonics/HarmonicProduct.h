@@ -34,8 +34,8 @@ public:
   /// All non-zero terms.
   const std::vector<HarmonicTerm>& Terms() const { return this->Tensor; }
 
-  /// The product of two functions, projected to the same bands: out_k = sum over i, j of T_ijk a_i
-  /// b_j. `out` must be neither a nor b.
+  /// The product of two functions, projected to the same bands:
+  /// out_k = sum over i, j of T_ijk a_i b_j. `out` must be neither a nor b.
   template <typename Real>
   void Product(const Real* a, const Real* b, Real* out) const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The fit c minimises Int (L - Sum c_k Y_k)^2 + ridge |c|^2 over the part of the sphere, so that (G
-// + ridge) c = b, where G_jk = Int Y_j Y_k and b is the projection. As Y_lm is a factor of
+// The fit c minimises Int (L - Sum c_k Y_k)^2 + ridge |c|^2 over the part of the sphere, so that
+// (G + ridge) c = b, where G_jk = Int Y_j Y_k and b is the projection. As Y_lm is a factor of
 // elevation times a factor of azimuth, G is such a product, too.
 #include "Harmonics/LightFit.h"
 

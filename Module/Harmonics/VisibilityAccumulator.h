@@ -28,7 +28,7 @@ struct HarmonicBuffers
 {
   std::ptrdiff_t Columns = 0, Rows = 0;
   int Bands = DefaultHarmonicBands; ///< 1 to 8
-  float* Values = nullptr;          ///< Columns * Rows * bands^2 floats, not initialised
+  float* Values = nullptr;          ///< Columns * Rows * bands^2 floats; need not be initialised
   SkyPart Sky = SkyPart::Upper;
 };
 

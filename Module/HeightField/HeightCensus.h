@@ -22,13 +22,13 @@ namespace skyline
 ///
 /// These values are judged doubtful:
 /// - a value that programs use for missing posts (FillValue), if it lies apart from the rest by a
-/// tenth of the range of the rest, or if far more posts have it than have similar heights;
+///   tenth of the range of the rest, or if many posts have it and fewer have similar heights;
 /// - any value that lies further from all others than on any ground (FarApart), or that lies below
-/// a varied terrain by 1000 m and half the range of that terrain, at few posts;
+///   a varied terrain by 1000 m and half the range of that terrain, at few posts;
 /// - 0, if the rest is a varied terrain that lies at least 50 m and a tenth of its range away from
-/// it, or, for fewer than half of the posts, 10 m and twice its range.
-/// Everything else counts as terrain: bathymetry below -9999, ground below sea level, a sea of 0
-/// with a coast.
+///   it, or, for fewer than half of the posts, 10 m and twice its range.
+/// Everything else counts as terrain: bathymetry that reaches below -9999, ground below sea level,
+/// a sea of 0 with a coast.
 class SKYLINECORE_EXPORT HeightCensus
 {
 public:

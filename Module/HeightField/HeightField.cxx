@@ -73,8 +73,8 @@ bool HeightField::CellComplete(std::ptrdiff_t column, std::ptrdiff_t row) const
 
 void HeightField::Close()
 {
-  this->LonelyInRows.clear();
-  this->LonelyInColumns.clear();
+  this->IsolatedInRows.clear();
+  this->IsolatedInColumns.clear();
   this->Largest = 0.0f;
   this->Missing = this->Any = false;
   this->MissingInRows = MissingMap();
@@ -107,17 +107,17 @@ void HeightField::Close()
         !this->CellComplete(column, row - 1) && !this->CellComplete(column - 1, row) &&
         !this->CellComplete(column, row))
       {
-        this->LonelyInRows.push_back({ row, column, line[column] });
-        this->LonelyInColumns.push_back({ column, row, line[column] });
+        this->IsolatedInRows.push_back({ row, column, line[column] });
+        this->IsolatedInColumns.push_back({ column, row, line[column] });
       }
     }
   }
-  for (const IsolatedPost& post : this->LonelyInRows)
+  for (const IsolatedPost& post : this->IsolatedInRows)
   {
     this->Rows.Line(post.Line)[post.Lane] = MissingHeight;
   }
   this->MissingInRows = MapMissing(this->Rows);
-  std::stable_sort(this->LonelyInColumns.begin(), this->LonelyInColumns.end(),
+  std::stable_sort(this->IsolatedInColumns.begin(), this->IsolatedInColumns.end(),
     [](const IsolatedPost& a, const IsolatedPost& b) { return a.Line < b.Line; });
 }
 
@@ -125,15 +125,16 @@ const float* HeightField::Receivers(
   bool columns, std::ptrdiff_t line, std::vector<float>& buffer) const
 {
   const PaddedPlane& plane = columns ? this->Columns : this->Rows;
-  const std::vector<IsolatedPost>& lonely = columns ? this->LonelyInColumns : this->LonelyInRows;
-  auto post = std::lower_bound(lonely.begin(), lonely.end(), line,
+  const std::vector<IsolatedPost>& isolated =
+    columns ? this->IsolatedInColumns : this->IsolatedInRows;
+  auto post = std::lower_bound(isolated.begin(), isolated.end(), line,
     [](const IsolatedPost& a, std::ptrdiff_t wanted) { return a.Line < wanted; });
-  if (post == lonely.end() || post->Line != line)
+  if (post == isolated.end() || post->Line != line)
   {
     return plane.Line(line);
   }
   buffer.assign(plane.Line(line), plane.Line(line) + plane.Lanes + PaddedPlane::Margin);
-  for (; post != lonely.end() && post->Line == line; ++post)
+  for (; post != isolated.end() && post->Line == line; ++post)
   {
     buffer[static_cast<std::size_t>(post->Lane)] = post->Height;
   }

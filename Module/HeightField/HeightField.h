@@ -132,7 +132,7 @@ private:
 
   Grid Lattice;
   PaddedPlane Rows, Columns;
-  std::vector<IsolatedPost> LonelyInRows, LonelyInColumns; // sorted by line
+  std::vector<IsolatedPost> IsolatedInRows, IsolatedInColumns; // sorted by line
   MissingMap MissingInRows, MissingInColumns;
   float Largest = 0.0f;
   bool Missing = false;

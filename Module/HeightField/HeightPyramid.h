@@ -17,7 +17,7 @@ namespace skyline
 /// Number of levels of a pyramid over n posts with `step` levels per octave: ceil(step log2 n) + 1.
 SKYLINECORE_EXPORT int PyramidLevels(std::ptrdiff_t posts, double step);
 
-/// Distance between the samples of a level in posts, and their numbers.
+/// Distance between the samples of a level in posts, and their numbers along both axes.
 struct PyramidSize
 {
   double Scale = 1.0;
@@ -53,7 +53,7 @@ struct PyramidLevel
                                ///< everywhere
 };
 
-/// The first of the samples that are read for a position on an axis, and their weights.
+/// The samples that are read for a position on an axis, and their weights.
 struct SplineTaps
 {
   std::array<float, 4> Weights{};

@@ -40,10 +40,11 @@ inline float AxisGradient(double before, double here, double after, double spaci
   return steps == 0 ? 0.0f : static_cast<float>(rise / (steps * spacing));
 }
 
-/// Computes the gradients of the posts of rows [rowBegin, rowEnd): dz/dx goes to east[row * columns
-/// + column] and dz/dy to north likewise. The upward normal is (-dz/dx, -dz/dy, 1), not normalised.
-/// Gradients are central differences, one-sided at the edge and beside missing posts, 0 if both
-/// neighbours are missing, and NaN at a missing post (NaN or infinite).
+/// Computes the gradients of the posts of rows [rowBegin, rowEnd): dz/dx goes to
+/// east[row * columns + column] and dz/dy to north likewise. The upward normal is
+/// (-dz/dx, -dz/dy, 1), not normalised. Gradients are central differences, one-sided at the edge
+/// and beside missing posts, 0 if both neighbours are missing, and NaN at a missing post (NaN or
+/// infinite).
 ///
 /// height(column, row): metres, of any arithmetic type; the rows beside the range are read too.
 /// spacingX, spacingY: metres between columns and between rows, one value of each per row from the

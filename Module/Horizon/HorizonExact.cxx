@@ -127,14 +127,14 @@ struct BlockTest
   HWY_INLINE bool MayGain(const float* level, const float* tilted, float line, float drop) const
   {
     const Vector lines = hn::Set(Lanes(), line);
-    const Vector sunk = hn::Set(Lanes(), drop);
+    const Vector lowered = hn::Set(Lanes(), drop);
     const Block top = Load(level);
     const Block bound =
       Each([](Vector blend, Vector t, Vector l) { return hn::MulAdd(blend, hn::Sub(t, l), l); },
         this->Blend, Load(tilted), top);
     const Block needed =
-      Each([&](Vector g, Vector t) { return hn::MulAdd(g, lines, hn::Add(t, sunk)); }, this->Slope,
-        this->Threshold);
+      Each([&](Vector g, Vector t) { return hn::MulAdd(g, lines, hn::Add(t, lowered)); },
+        this->Slope, this->Threshold);
     return AnyGreater(bound, needed);
   }
 

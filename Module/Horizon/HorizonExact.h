@@ -16,9 +16,9 @@ namespace skyline
 
 /// Two supports of the posts that a ray can touch, for each segment of lines and each lane at which
 /// the ray can enter the segment: the greatest height h, and the greatest h - T e, where e is the
-/// number of lines from the near edge of the segment and T is the support slope. The greatest h - g
-/// e is convex in g, so that the chord between both supports bounds it for g in 0 .. T. Above T the
-/// second support bounds it. Below 0 the first support plus |g| x length does.
+/// number of lines from the near edge of the segment and T is the support slope. The greatest
+/// h - g e is convex in g, so that the chord between both supports bounds it for g in 0 .. T. Above
+/// T the second support bounds it. Below 0 the first support plus |g| x length does.
 struct SegmentBounds
 {
   static constexpr std::ptrdiff_t Lines = 16;   ///< lines per segment

@@ -60,9 +60,9 @@ HorizonSweep::HorizonSweep(const HeightField& field, const HorizonSettings& sett
 void HorizonSweep::SetAzimuth(const Grid& grid, double azimuth)
 {
   this->Ray = std::make_unique<RayFrame>(this->Field, grid, azimuth, this->Settings.CurvatureDrop);
-  // The step is one post, whatever the spacing. A step of the shorter spacing would make a million
-  // samples per line on a grid whose posts are 1000 times as far apart along one axis as along the
-  // other.
+  // The step is one post for any spacing. On a grid whose posts are 1000 times as far apart along
+  // one axis as along the other, a step of the shorter spacing would make several 100000 samples
+  // per post.
   const PostsPerMetre ray = RayOfAzimuth(grid, azimuth);
   const double rate = std::hypot(ray.Columns, ray.Rows);
   this->Along = { ray.Columns / rate, ray.Rows / rate };

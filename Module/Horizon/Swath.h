@@ -27,10 +27,6 @@ struct Swath
   }
 };
 
-/// The narrowest swath, 0.05 degrees: a narrower one resolves nothing, and one of width 0 has no
-/// weight.
-constexpr double LeastSwath = 0.05 * RadiansPerDegree;
-
 /// The centres of `count` equal parts of a swath, each Width / count wide: azimuths for a
 /// VisibilityAccumulator.
 inline std::vector<double> AzimuthsOf(const Swath& swath, int count)

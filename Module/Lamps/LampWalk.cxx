@@ -4,7 +4,8 @@
 namespace skyline
 {
 
-/// Bounds the slope within the fan of a cell that has the receiver at a corner.
+/// Returns true if a cell with the receiver at a corner certainly does not rise above the slope of
+/// the fan.
 bool LampWalk::ClearStart(const Fan& fan, std::ptrdiff_t column, std::ptrdiff_t row) const
 {
   const float* low = this->Plane->Line(row) + column;

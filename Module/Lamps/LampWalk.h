@@ -32,7 +32,8 @@ struct LampAzimuth
 ///   double End()        metres after which terrain does not matter
 ///   double Fine()       metres after which bilinear cells are passed in short pieces
 ///   double Threshold()  only terrain with a greater slope matters
-///   void Start(slope)   called before the first piece with the slope of the surface at the receiver
+///   void Start(slope)   called before the first piece, with the slope of the surface at the
+///                       receiver
 ///   bool Piece(s0, z0, s1, z1)   a straight piece of terrain between the distances s0 < s1, with
 ///                       heights above the receiver, less the drop of the body; returns false to
 ///                       end the walk

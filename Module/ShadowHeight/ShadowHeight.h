@@ -60,7 +60,7 @@ private:
 /// The input of the search for a range of receivers.
 struct ShadowHeightTask
 {
-  const RayFrame& Frame; ///< its steps hold weights that sum to 1, and falls instead of sinks
+  const RayFrame& Frame; ///< its steps hold weights that sum to 1, and falls instead of drops
   const ShadowHeightTiles& Tiles;
   double FallPerLine, DropPerLine2; ///< metres
   bool Holes;

@@ -28,8 +28,8 @@ public:
   ShadowHeightSweep(const HeightField& field, double slope);
 
   void SetAzimuth(const Grid& grid, double azimuth) override;
-  std::ptrdiff_t PrepareCount() const override { return 1; } // each line depends on the previous
-  // one
+  /// 1: each line depends on the previous one.
+  std::ptrdiff_t PrepareCount() const override { return 1; }
   void Prepare(std::ptrdiff_t begin, std::ptrdiff_t end) override;
   void Find(std::ptrdiff_t lineBegin, std::ptrdiff_t lineEnd, std::ptrdiff_t laneBegin,
     std::ptrdiff_t laneEnd, float* heights, std::ptrdiff_t stride) const override;

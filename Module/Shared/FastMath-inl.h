@@ -52,8 +52,7 @@ HWY_INLINE V AsinLow(D d, V m, V square)
 }
 
 /// atan t in a unit in which a right angle is `quarter` and a radian is `unit`. Exactly a right
-/// angle for
-/// t| >= 1e18. t may be infinite but not NaN.
+/// angle for |t| >= 1e18. t may be infinite but not NaN.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V AtanIn(D d, V t, float unit, float quarter)
 {
@@ -105,7 +104,7 @@ HWY_INLINE SlopeTerms<V> TermsOfSlope(D d, V t)
   return terms;
 }
 
-/// h| from the terms of a slope, radians.
+/// |h| from the terms of a slope, radians.
 template <class D, class V>
 HWY_INLINE V SizeOfAngle(D d, const SlopeTerms<V>& terms)
 {

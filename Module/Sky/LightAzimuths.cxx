@@ -16,7 +16,7 @@ namespace
 /// Largest share of the light of a map in one interval, as a multiple of an even share.
 constexpr double LargestShare = 2.0;
 
-/// Least width of an interval, in pixels. Within such an interval the horizon hardly bends.
+/// Intervals up to this width, in pixels, are not halved: the horizon hardly bends inside one.
 constexpr double LeastPart = 0.125;
 
 /// The light of a map from south to the left edge of each column, divided by that of all columns.

@@ -13,9 +13,9 @@ namespace skyline
 
 /// Azimuths (radians, rising from 0, below 2 pi): `count` evenly spaced ones (at least 1), and more
 /// where the maps are bright. An interval is halved until it contains at most twice an even share
-/// of the light of each map (over all azimuths, on a level plus a vertical receiver), or is an
-/// eighth of a pixel wide. A map without bright spots adds no azimuths; the sun adds at most its
-/// share of `count` and a few that lead up to it.
+/// of the light of each map (over all azimuths, on a level plus a vertical receiver), or is at
+/// most an eighth of a pixel wide. A map without bright spots adds no azimuths; the sun adds at
+/// most its share of `count` and a few that lead up to it.
 SKYLINECORE_EXPORT std::vector<double> LightAzimuths(
   int count, const std::vector<TurnedLightMap>& maps, bool refine = true);
 

@@ -60,10 +60,10 @@ struct LightMapDefects
   std::ptrdiff_t Negative = 0;   ///< set to 0; includes minus infinity
   std::ptrdiff_t NotNumbers = 0; ///< NaN, set to 0
   std::ptrdiff_t Infinite = 0;   ///< set to the largest finite value of the channel in the map, or
-                                 ///< 0
+                                 ///< 0 without one
 };
 
-/// Makes all channels of `pixels` pixels of three floats finite and not negative. Other values are
+/// Makes all channels of `pixels` pixels of three floats finite and not negative. Valid values are
 /// unchanged, however large they are.
 SKYLINECORE_EXPORT LightMapDefects SanitizeLightMap(float* values, std::ptrdiff_t pixels);
 

@@ -66,9 +66,9 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The sums of one quantity for a vector of posts. Read and Write are separate so that all sums are
-/// read before any is written: the buffers are often a multiple of 4096 bytes apart, and then a
-/// load waits for an earlier store to the same position in another page.
+/// The sums of one quantity for a vector of posts. The constructor reads and Write is separate, so
+/// that all sums are read before any is written: the buffers are often a multiple of 4096 bytes
+/// apart, and then a load waits for an earlier store to the same position in another page.
 struct VectorOfSums
 {
   using Tag = hn::CappedTag<float, 16>;

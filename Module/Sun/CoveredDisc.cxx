@@ -4,8 +4,8 @@
 // at the distance d is
 //   atan2(root, d^2 + 1 - k^2) + k^2 atan2(root, d^2 + k^2 - 1) - root / 2.
 // The light of mu = sqrt(1 - r^2) is summed over rings. On the ring of radius r, half of the
-// covered arc is phi = acos((r^2 + d^2 - k^2) / (2 r d)), or the whole ring is covered. The rings r
-// = a + (b - a) sin^2(t / 2), evenly spaced in t, make the square roots at both ends smooth.
+// covered arc is phi = acos((r^2 + d^2 - k^2) / (2 r d)), or the whole ring is covered. The rings
+// r = a + (b - a) sin^2(t / 2), evenly spaced in t, make the square roots at both ends smooth.
 #include "Sun/CoveredDisc.h"
 
 #include "Shared/Constants.h"

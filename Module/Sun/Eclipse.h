@@ -45,12 +45,11 @@ struct SKYLINECORE_EXPORT SunAndMoon
 /// subtracted (topocentric parallax).
 ///
 /// Errors: eraMoon98 has an error in direction of 2.9 arcseconds (root mean square; at most 18),
-/// which the Moon passes in 7 s in front of the sun. UT1 - UTC, which is taken as 0, moves the
-/// place by up to 0.9 s of the rotation of the Earth: 0.4 km. The limb of the Moon has mountains
-/// and valleys of 2 arcseconds, and k is their mean: totality is 3 s shorter in tables that use the
-/// smaller k = 0.272281 (valleys). Before 1960, terrestrial time has an error of up to 35 s
-/// (SunEphemeris), and eclipses are early or late by as much.
-/// or early.
+/// which the Moon passes in 7 s in front of the sun. UT1 - UTC is taken as 0 if it is not
+/// given, which moves the place by up to 0.9 s of the rotation of the Earth: 0.4 km. The limb of
+/// the Moon has mountains and valleys of 2 arcseconds, and k is their mean: totality is 3 s shorter
+/// in tables that use the smaller k = 0.272281 (valleys). Before 1960, terrestrial time has an
+/// error of up to 35 s (SunEphemeris), and eclipses are early or late by as much.
 class SKYLINECORE_EXPORT EclipseEphemeris
 {
 public:

@@ -298,9 +298,8 @@ void SunAccumulator::AddOne(
     return;
   }
   const double half = std::sin(0.5 * this->Sun.Radius);
-  const double disc =
-    4.0 * Pi * half * half * (1.0 - this->LimbDarkening / 3.0); // all light of the
-                                                                // disc
+  // All light of the disc.
+  const double disc = 4.0 * Pi * half * half * (1.0 - this->LimbDarkening / 3.0);
   const double from = std::atan2(side0, ahead0);
   slice.Set({ 0.0, std::atan2(sine, cosine), this->Sun.Radius }, from, from + this->Interval,
     this->LimbDarkening);

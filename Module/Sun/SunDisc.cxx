@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points at the elevation e in the vertical plane of the azimuth offset a lie at an angle r from
-// the centre of the disc (elevation s) if  sin e sin s + cos e cos s cos a = cos r,  that is C
-// cos(e - p) = cos r with
+// the centre of the disc (elevation s) if
+//   sin e sin s + cos e cos s cos a = cos r,
+// that is C cos(e - p) = cos r with
 //   C^2 = 1 - cos^2 s sin^2 a,   tan p = sin s / (cos s cos a).
 // All values are relative to the centre and use differences that do not cancel. With v = 1 - cos a:
 //   tan(p - s) = sin s cos s v / (1 - cos^2 s v)

@@ -11,8 +11,8 @@ namespace skyline
 {
 
 /// Limb darkening of a grey atmosphere in Eddington's approximation: at the angle with the cosine
-/// mu on the surface of the sun, the intensity relative to the centre is (2 + 3 mu) / 5 = 1 - u (1
-/// - mu) with u = 3/5.
+/// mu on the surface of the sun, the intensity relative to the centre is
+///   (2 + 3 mu) / 5 = 1 - u (1 - mu),  u = 3/5.
 constexpr double EddingtonLimbDarkening = 0.6;
 
 /// The disc of a sun. Angles in radians.
@@ -80,10 +80,10 @@ private:
 
 /// The azimuths (rising, in radians clockwise from grid north) whose horizons a SunAccumulator
 /// needs, for suns of one radius whose centres lie between the given azimuths (azimuthMin <=
-/// azimuthMax, any turn) and elevations: nodes a quarter of the half swath apart, over all swaths,
-/// both ends included. One sun needs 9 nodes, or 25 around the circle if its disc contains the
+/// azimuthMax, any turn) and elevations: nodes an eighth of the half swath apart, over all swaths,
+/// both ends included. One sun needs 17 nodes, or 25 around the circle if its disc contains the
 /// zenith or the nadir, or only its azimuth if the radius is 0. With many suns, the nodes are at
-/// least a quarter of the radius of the mean sun apart.
+/// least an eighth of MeanSunRadius apart.
 SKYLINECORE_EXPORT std::vector<double> SunAzimuths(
   double azimuthMin, double azimuthMax, double elevationMin, double elevationMax, double radius);
 

@@ -40,16 +40,16 @@ SunVector Mix(const SunVector& a, const SunVector& b, double fraction);
 class SKYLINECORE_EXPORT SunField
 {
 public:
-  /// `time`: UTC. `meanHeight`: metres; the standard air at this height is used everywhere (a
-  /// kilometre higher, refraction is a tenth less: 0.01 degrees for a sun at 10 degrees), and so is
-  /// the parallax. `ut1MinusUtc`: see SunEphemeris. The radius of the disc is that at the centre
+  /// `time`: UTC. `meanHeight`: metres; the standard air and the parallax at this height are used
+  /// everywhere (a kilometre higher, refraction is a tenth less: 0.01 degrees for a sun at 10
+  /// degrees). `ut1MinusUtc`: see SunEphemeris. The radius of the disc is that at the centre
   /// post. Throws std::invalid_argument without a place on a body or on a body other than the
   /// Earth, and what SunEphemeris throws.
   SunField(
     const Georeference& place, const UtcTime& time, double meanHeight, double ut1MinusUtc = 0.0);
 
   /// The same sun at all posts, in degrees: azimuth from the +y axis of the image (any number of
-  /// turns), apparent elevation (-90 to 90) and radius of the disc (0 to 90). Throws
+  /// turns), apparent elevation (-90 to 90) and radius of the disc (0 to below 90). Throws
   /// std::out_of_range for other values.
   static SunField Constant(double azimuth, double elevation, double radius);
 
@@ -66,8 +66,8 @@ public:
   /// The sun at a post. Fractions are allowed. Posts beyond the edge get the sun at the edge.
   GridSun At(double column, double row) const;
 
-  /// Unit vectors to the sun, with the components of SunVector, for the `count` posts (columnBegin
-  /// + i, row).
+  /// Unit vectors to the sun, with the components of SunVector, for the `count` posts
+  /// (columnBegin + i, row).
   void Row(std::ptrdiff_t row, std::ptrdiff_t columnBegin, std::ptrdiff_t count, float* x, float* y,
     float* z) const;
 

@@ -23,11 +23,11 @@ struct UtcTime
 };
 
 /// Reads the extended form of ISO 8601, and the forms that Python, pandas and GNU date print:
-/// `2026-06-21`, `2026-06-21T06:00Z`, `2026-06-21 06:00:00+00:00`, `2026-06-21T08:00:30.250000000
-/// +0200`. A date without a time is its first moment. Without a zone, the time is UTC. Zones are Z,
-/// UTC, +hh:mm, +hhmm and +hh, or the same with a minus. Second 60 is accepted where the table of
-/// ERFA has a leap second. Throws std::invalid_argument, which names the text and a valid form, for
-/// all other texts.
+/// `2026-06-21`, `2026-06-21T06:00Z`, `2026-06-21 06:00:00+00:00`,
+/// `2026-06-21T08:00:30.250000000 +0200`. A date without a time is its first moment. Without a
+/// zone, the time is UTC. Zones are Z, UTC, +hh:mm, +hhmm and +hh, or the same with a minus. Second
+/// 60 is accepted where the table of ERFA has a leap second. Throws std::invalid_argument, which
+/// names the text and a valid form, for all other texts.
 SKYLINECORE_EXPORT UtcTime ParseUtcTime(const std::string& text);
 
 /// Returns true if a text that ParseUtcTime can read states its time zone.

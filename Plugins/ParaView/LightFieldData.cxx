@@ -30,7 +30,7 @@ vtkSmartPointer<vtkDataArray> Renamed(vtkDataArray* array, const std::string& na
   return renamed;
 }
 
-vtkSmartPointer<vtkImageData> UnpackLeaf(vtkDataObject* leaf)
+vtkSmartPointer<vtkImageData> LoadLeaf(vtkDataObject* leaf)
 {
   vtkFieldData* fields = leaf ? leaf->GetFieldData() : nullptr;
   vtkDataArray* frame = fields ? fields->GetArray(FrameName) : nullptr;
@@ -86,12 +86,12 @@ vtkSmartPointer<vtkImageData> LoadLight(vtkDataObject* surface)
   auto* composite = vtkCompositeDataSet::SafeDownCast(surface);
   if (!composite)
   {
-    return UnpackLeaf(surface);
+    return LoadLeaf(surface);
   }
   const auto leaf = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
   {
-    if (auto image = UnpackLeaf(leaf->GetCurrentDataObject()))
+    if (auto image = LoadLeaf(leaf->GetCurrentDataObject()))
     {
       return image;
     }

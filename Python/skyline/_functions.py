@@ -140,7 +140,8 @@ def _terrain(
         image = copy
     if method in ("sweep", "pyramid") and surface == "bilinear":
         raise ValueError(
-            f"surface is 'bilinear', which the method {method!r} does not support; give 'exact' or 'fast'")
+            f"surface is 'bilinear', which the method {method!r} does not support; "
+            "give method='exact' or 'fast'")
     return _Terrain(
         image, row0, as_image, array.GetName(), _check.choice("method", method, _METHODS),
         _check.choice("surface", surface, _SURFACES), _check.flag("flat", flat))

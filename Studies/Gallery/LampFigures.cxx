@@ -166,13 +166,13 @@ public:
     , LimitName(limit)
   {
     this->Lamps[0].Radiance = { { 1.0f, 1.0f, 1.0f } };
-    this->Heights = DirectLamps(this->Terrain, this->Lamps);
+    this->Direct = DirectLamps(this->Terrain, this->Lamps);
     this->View.Width = this->View.Height = scale.Pixels(PictureWidth);
     this->View.From.Elevation = 90.0;
     this->View.From.Filled = 1.0;
     this->View.Region = Cone;
     // Brighter than the whole scene requires, because the shadows are shown.
-    this->View.Exposure = std::log2(2.0 * Pi / Bright(LuminanceOf(this->Heights)));
+    this->View.Exposure = std::log2(2.0 * Pi / Bright(LuminanceOf(this->Direct)));
     this->Sheet.Rows = { PanelRow{ "irradiance, seen from above", {} },
       PanelRow{ std::string("difference from ") + limit +
           " (map): red brighter, blue darker; full colour at 3 % of the rms irradiance",
@@ -191,19 +191,19 @@ public:
     this->Sheet.Rows[0].Panels.push_back(
       { setting, this->Painter.Draw(this->Terrain.Heights, rgb, this->View) });
     this->AddMap(1, setting, this->LimitName, rgb, limit, FullRest);
-    this->AddMap(2, setting, "direct", rgb, this->Heights, FullScale);
+    this->AddMap(2, setting, "direct", rgb, this->Direct, FullScale);
   }
   void AddReference()
   {
     this->Sheet.Rows[0].Panels.push_back({ "direct integration",
-      this->Painter.Draw(this->Terrain.Heights, this->Heights, this->View) });
+      this->Painter.Draw(this->Terrain.Heights, this->Direct, this->View) });
   }
 
 private:
   void AddMap(std::size_t row, const std::string& setting, const char* against,
     const std::vector<float>& rgb, const std::vector<float>& truth, double full)
   {
-    const double unit = RootMeanSquare(LuminanceOf(this->Heights));
+    const double unit = RootMeanSquare(LuminanceOf(this->Direct));
     Comparison found =
       Compare(this->Terrain, this->View.Region, rgb, truth, unit, full, this->View.Width);
     this->Sheet.Table.push_back({ setting, against, found.Error });
@@ -219,7 +219,7 @@ private:
   Scene Terrain;
   std::vector<ColoredLamp> Lamps;
   const char* LimitName;
-  std::vector<float> Heights;
+  std::vector<float> Direct;
   Look View;
 };
 
@@ -279,9 +279,9 @@ struct LitScene
   }
   Scene Terrain;
   std::vector<ColoredLamp> Lamps;
-  std::vector<float> Found, Heights; // RGB: by the method of the thesis, and by direct integration
-  std::vector<float> Transferred;    // RGB of a sky alone, by Skyline's method
-  double Level = 1.0;                // the irradiance of a bright post
+  std::vector<float> Found, Direct; // RGB: by the method of the thesis, and by direct integration
+  std::vector<float> Transferred;   // RGB of a sky alone, by Skyline's method
+  double Level = 1.0;               // the irradiance of a bright post
 };
 
 std::unique_ptr<LitScene> Light(const Scale& scale, const Shot& shot)
@@ -294,9 +294,9 @@ std::unique_ptr<LitScene> Light(const Scale& scale, const Shot& shot)
   auto lit = std::make_unique<LitScene>(source);
   const Scene& scene = lit->Terrain;
   lit->Lamps = Colored(source.Lamps, shot.Lamps);
-  lit->Heights = DirectLamps(scene, lit->Lamps);
+  lit->Direct = DirectLamps(scene, lit->Lamps);
   lit->Found = HarmonicLamps(scene, lit->Lamps, SwathCount, LevelStep);
-  const double lampLight = lit->Lamps.empty() ? 0.0 : Bright(LuminanceOf(lit->Heights));
+  const double lampLight = lit->Lamps.empty() ? 0.0 : Bright(LuminanceOf(lit->Direct));
   lit->Level = lampLight;
   if (shot.Sky)
   {
@@ -308,7 +308,7 @@ std::unique_ptr<LitScene> Light(const Scale& scale, const Shot& shot)
       sky.Published(scene, PyramidHorizons(scene, LevelStep, 4.0));
     for (std::size_t k = 0; k < direct.size(); ++k)
     {
-      lit->Heights[k] += direct[k];
+      lit->Direct[k] += direct[k];
       lit->Found[k] += std::max(0.0f, published[k]);
     }
     if (lit->Lamps.empty())
@@ -333,19 +333,19 @@ void Take(Studio& studio, const Scale& scale, const Shot& shot, const LitScene& 
       { { static_cast<double>(lamp.Radiance[0]), static_cast<double>(lamp.Radiance[1]),
         static_cast<double>(lamp.Radiance[2]) } } });
   }
-  const double unit = RootMeanSquare(LuminanceOf(lit.Heights));
+  const double unit = RootMeanSquare(LuminanceOf(lit.Direct));
   const Comparison found =
-    Compare(lit.Terrain, shot.Part, lit.Found, lit.Heights, unit, FullScale, look.Height);
+    Compare(lit.Terrain, shot.Part, lit.Found, lit.Direct, unit, FullScale, look.Height);
   figure.Table.push_back({ shot.Caption, "direct", found.Error });
   if (!lit.Transferred.empty())
   {
     figure.Table.push_back({ std::string(shot.Caption) + ", Skyline's default", "direct",
-      Compare(lit.Terrain, shot.Part, lit.Transferred, lit.Heights, unit, FullScale, look.Height)
+      Compare(lit.Terrain, shot.Part, lit.Transferred, lit.Direct, unit, FullScale, look.Height)
         .Error });
   }
   figure.Rows[0].Panels.push_back(
     { shot.Caption, studio.Draw(lit.Terrain.Heights, lit.Found, look) });
-  figure.Rows[1].Panels.push_back({ "", studio.Draw(lit.Terrain.Heights, lit.Heights, look) });
+  figure.Rows[1].Panels.push_back({ "", studio.Draw(lit.Terrain.Heights, lit.Direct, look) });
   Picture wide(look.Width, look.Height, 255); // as wide as the pictures above it
   Paste(wide, found.Map, (look.Width - found.Map.Width) / 2, 0);
   figure.Rows[2].Panels.push_back({ "rms " + Percent(found.Error.Rms), std::move(wide) });

@@ -322,7 +322,7 @@ TEST_P(ClosedForm, Holds)
   else if (Has(row.Case, "sphere R="))
   {
     // The ground is a parabola instead of a circle and has posts 1 km apart: errors of 1e-4 of the
-    // dip, and a quarter of the drop of one post.
+    // dip, and a quarter of the curvature drop of one post spacing (0.02 m), over the distance.
     EXPECT_NEAR(Dip(p[0]), row.Value, 1.0e-3 * -row.Value + 0.0002);
   }
   else if (Has(row.Case, "spherical light"))

@@ -14,7 +14,8 @@
 
 int SkylineMain(int argc, char** argv); // Tools/Commands/Main.cxx, renamed
 
-// Replaces Tools/Shared/Interrupt.cxx, whose use of the alarm signal would stop the clock of libFuzzer.
+// Replaces Tools/Shared/Interrupt.cxx, whose use of the alarm signal would stop the clock of
+// libFuzzer.
 namespace skyline
 {
 void CatchInterrupts() {}

@@ -14,6 +14,7 @@
 #include "vtkPointData.h"
 #include "vtkSkylineLight.h"
 
+#include <CLI/CLI.hpp>
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <cmath>

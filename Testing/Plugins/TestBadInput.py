@@ -29,7 +29,7 @@ def image(dimensions="6, 5, 1", spacing="10, 10, 10", value="post % 7"):
     return source
 
 
-def told(proxy):
+def message_of(proxy):
     """The text of the output window when the proxy runs. The output of the proxy must be empty."""
     window, usual = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
     vtkOutputWindow.SetInstance(window)
@@ -44,7 +44,7 @@ def told(proxy):
 
 def expect_error(proxy, *words):
     """The message must contain all of the words."""
-    text = told(proxy)
+    text = message_of(proxy)
     for word in words:
         expect(word in text, f"{proxy.GetXMLLabel()}: no '{word}' in: {text or '(nothing)'}")
 

@@ -211,7 +211,7 @@ class Untrusted(unittest.TestCase):
             with self.subTest(kind=kind):
                 self.stopped(self.write("dem.tif", vrt(source(name))))
 
-    def test_other_doors_of_virtual_rasters(self):
+    def test_other_references_of_virtual_rasters(self):
         url = f"/vsicurl/http://127.0.0.1:{self.listener.port}/dem.tif"
         for away, option in ((url, "allow_network=True"), (self.secret, "allow_elsewhere=True")):
             good = source(self.inside("good.tif"))

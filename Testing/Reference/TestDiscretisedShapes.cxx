@@ -165,7 +165,7 @@ TEST(DiscretisedShapes, DipOfASphere)
       oracle::ElevationDegrees(oracle::HorizonSlope(field, 1, 0, oracle::DirectionOfAzimuth(0.0)));
     const double truth = -std::acos(radius / (radius + eye)) * DegreesPerRadian;
     // The parabola changes the dip by eye / 4R. Posts 500 m apart miss the point of contact by at
-    // most 250 m, which raises the line of sight by drop * 250^2 divided by the distance.
+    // most 250 m, which raises the line of sight by CurvatureDrop * 250^2 / distance.
     const double contact = std::sqrt(2.0 * radius * eye);
     const double bound = 0.26 * eye / radius * -truth +
       field.CurvatureDrop * 250.0 * 250.0 / (contact - 250.0) * DegreesPerRadian;

@@ -192,8 +192,8 @@ TEST(Oracle, AgreesWithSamplesOfTheSurface)
             {
               const double truth = Slope(field, column, row, azimuth);
               const double sampled = SampledSlope(field, column, row, azimuth, 1000);
-              // The drop between crossings is convex: a sample can be up to 1e-6 above the
-              // crossings.
+              // Between crossings the curvature bends the surface upwards: a sample can be up to
+              // 1e-6 above the crossings.
               EXPECT_LE(sampled, truth + 1.0e-5) << column << " " << row << " " << azimuth;
               EXPECT_LE(truth, sampled + resolution) << column << " " << row << " " << azimuth;
             }

@@ -73,7 +73,8 @@ TEST_F(Horizons, OfThePyramid)
   EXPECT_LT(this->Parity(Hills(131, 97), vtkHeightFieldHorizon::PYRAMID), PyramidTolerance);
 }
 
-// Degrees of longitude on the Earth: rows have different spacings, and distant posts drop.
+// Degrees of longitude on the Earth: rows have different spacings, and the curvature lowers distant
+// posts.
 TEST_F(Horizons, OnABody)
 {
   const auto image = ImageOf<vtkDoubleArray>(shapes::Fractal(40, 50, 2000.0, 3000.0, 6));

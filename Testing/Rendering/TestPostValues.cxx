@@ -25,7 +25,7 @@ namespace testing
 namespace
 {
 
-// DistanceTolerance of the metric at a post.
+// The relative error that distances on the ground may have: DistanceTolerance of GroundMetric.h.
 constexpr double ScaleBound = 1e-3;
 
 // 1500 km from its meridian, UTM is 2.8 % too large. The map is conformal, so the slope of a plane

@@ -224,7 +224,7 @@ class Irradiance(ToolTest):
             done = self.run_program("irradiance", dem, "-o", self.path("out.tif"), "--lamp",
                                     where + ",1200,5")
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertRegex(done.stderr, "^warning: lamp 1 stands " + far + " beside the height field, "
+            self.assertRegex(done.stderr, "^warning: lamp 1 stands " + far + " outside the height field, "
                              "too far to light it; assuming its X and Y are coordinates in the CRS")
         # A distant lamp that is as bright and as large as the sun does light the field.
         self.succeed("irradiance", dem, "-o", self.path("out.tif"), "--lamp",

@@ -17,7 +17,7 @@ assert len(commands) >= 7, commands
 environment = dict(
     os.environ, skyline=program, dem=os.path.join(source, "Testing/Data/dem/SainteHelens.tif")
 )
-written = []
+written, left_out = [], []
 for command in commands:
     print(command, flush=True)
     run = subprocess.run(
@@ -25,6 +25,7 @@ for command in commands:
     )
     if "a perspective view needs OpenGL" in run.stderr:
         print("  left out:", run.stderr.strip())
+        left_out.append(command)
         continue
     assert run.returncode == 0, run.stderr
     written += re.findall(r"-o (\S+)", command)
@@ -40,3 +41,7 @@ for code, start in zip(codes, expected):
         [sys.executable, "-c", code], cwd=source, env=environment, check=True, stdout=subprocess.PIPE
     ).stdout.decode()
     assert printed.startswith(start), printed
+
+if left_out:
+    print("all other commands and programs passed; not run, for lack of OpenGL:", *left_out, sep="\n  ")
+    sys.exit(77)  # ctest reports the test as skipped

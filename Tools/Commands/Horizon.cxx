@@ -20,14 +20,14 @@ struct HorizonCommand
   skyline::HorizonOptions Horizon;
   skyline::CommonOptions Common;
 
-  void Check(const skyline::UnusedOptions& options) const { this->Horizon.RefuseIdle(options); }
+  void Check(const skyline::UnusedOptions& options) const { this->Horizon.RefuseUnused(options); }
 
   void Run() const
   {
     skyline::PrepareVtk(this->Common);
     skyline::CheckRasterOutput(this->Output.File, { this->Terrain.File });
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Common, this->Output.File);
-    this->Horizon.WarnIdle(terrain, this->Common);
+    this->Horizon.WarnUnused(terrain, this->Common);
 
     vtkNew<vtkHeightFieldHorizon> horizon;
     horizon->SetInputData(terrain);

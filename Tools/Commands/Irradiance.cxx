@@ -50,8 +50,8 @@ struct IrradianceCommand
     const SkyKind kind = this->Kind();
     const bool sun = this->Lights.Sun.Asked();
     const bool harmonics = this->Method == "sh";
-    this->Horizon.RefuseIdle(options);
-    skyline::RefuseIdleLights(this->Lights, options, kind, sun, true);
+    this->Horizon.RefuseUnused(options);
+    skyline::RefuseUnusedLights(this->Lights, options, kind, sun, true);
     options.Refuse(harmonics, { "--quadrature", "--no-refinement" },
       "only the method table uses it; leave it out, or add --method table");
     options.Refuse(harmonics, { "--limb-darkening" },
@@ -89,7 +89,7 @@ struct IrradianceCommand
     }
     skyline::WarnOfTurnedSky(this->Lights, this->Kind(), this->Common);
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Common, this->Output.File);
-    this->Horizon.WarnIdle(terrain, this->Common);
+    this->Horizon.WarnUnused(terrain, this->Common);
     vtkNew<vtkHeightFieldIrradiance> light;
     light->SetInputData(terrain);
     light->SetNumberOfAzimuths(this->Horizon.Azimuths);

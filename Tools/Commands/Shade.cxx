@@ -90,8 +90,8 @@ struct ShadeCommand
     options.Refuse(format == PictureFormat::Exr, { "--exposure" },
       "an .exr holds light before exposure; leave it out, or name the output .png or .tif");
     const SkyKind kind = this->Kind();
-    this->Horizon.RefuseIdle(options);
-    skyline::RefuseIdleLights(this->Lights, options, kind,
+    this->Horizon.RefuseUnused(options);
+    skyline::RefuseUnusedLights(this->Lights, options, kind,
       kind != SkyKind::Map || this->Lights.Sun.Asked(), this->Measured());
     options.Refuse(kind == SkyKind::None, { "--azimuths" },
       "a black sky needs no azimuths; leave it out, or give another --environment");
@@ -166,7 +166,7 @@ struct ShadeCommand
     const auto terrain = skyline::Exaggerate(
       skyline::ReadTerrain(this->Terrain, this->Common, this->Output.File), this->Look.Exaggeration,
       [this](vtkAlgorithm* filter, const std::string& title) { this->RunPass(filter, title); });
-    this->Horizon.WarnIdle(terrain, this->Common);
+    this->Horizon.WarnUnused(terrain, this->Common);
     const skyline::Center center = skyline::CenterOf(terrain, this->Common);
     const skyline::SunLight sun = skyline::FindSun(this->Lights.Sun, center.Place, center.Height);
     vtkNew<vtkSkylineSunLight> shared; // used by shadows and shading

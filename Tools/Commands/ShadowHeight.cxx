@@ -28,7 +28,7 @@ struct ShadowHeightCommand
 
   void Check(const skyline::UnusedOptions& options) const
   {
-    this->Horizon.RefuseIdle(options);
+    this->Horizon.RefuseUnused(options);
     options.Refuse(!this->Soft, { "--sun-radius" },
       "without --soft, only the centre of the sun counts; add --soft, or leave it out");
     options.Warn(this->Soft && this->Sun.Radius == 0.0, { "--soft" },
@@ -47,7 +47,7 @@ struct ShadowHeightCommand
         this->Common);
     }
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Common, this->Output.File);
-    this->Horizon.WarnIdle(terrain, this->Common);
+    this->Horizon.WarnUnused(terrain, this->Common);
     const skyline::Center center = skyline::CenterOf(terrain, this->Common);
     const skyline::SunLight sun = skyline::FindSun(this->Sun, center.Place, center.Height);
     vtkNew<vtkHeightFieldShadowHeight> shadow;
@@ -77,13 +77,14 @@ void AddShadowHeight(CLI::App& program)
     program.add_subcommand("shadow-height", "Compute how high the shadow of the terrain reaches");
   const auto command = std::make_shared<ShadowHeightCommand>();
   app->footer(
-    "Writes a GeoTIFF of float32 in metres with the band ShadowHeight: what lies lower above the\n"
-    "post is in the shadow of the terrain. Where the post is lit, the value is the height of the\n"
-    "post. If the sun is on or below the horizontal plane, all posts are nodata, and a warning is\n"
-    "printed. With --soft, the bands ShadowHeightUpper and ShadowHeightLower are added, for the\n"
-    "upper and the lower limb of the disc: below the first, the whole sun is hidden; above the\n"
-    "second, nothing of it is hidden. Both may lie below the ground. All posts have the same sun;\n"
-    "with --time, it is the sun over the centre of the DEM.");
+    "Writes a GeoTIFF of float32 in metres with the band ShadowHeight: the height up to which the\n"
+    "shadow of the terrain reaches over each post, in the height system of the DEM. Where the\n"
+    "post is lit, the value is the height of the post. If the sun is on or below the horizontal\n"
+    "plane, all posts are nodata, and a warning is printed. With --soft, the bands\n"
+    "ShadowHeightUpper and ShadowHeightLower are added, for the upper and the lower limb of the\n"
+    "disc: below the first, the whole sun is hidden; above the second, nothing of it is hidden.\n"
+    "Both may lie below the ground. All posts have the same sun; with --time, it is the sun over\n"
+    "the centre of the DEM.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(*app, "GeoTIFF to write");
   AddSunOptions(*app, command->Sun, false);

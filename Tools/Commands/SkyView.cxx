@@ -34,7 +34,7 @@ struct SkyViewCommand
 
   void Check(const skyline::UnusedOptions& options) const
   {
-    this->Horizon.RefuseIdle(options);
+    this->Horizon.RefuseUnused(options);
     const bool trust = std::find(this->Quantities.begin(), this->Quantities.end(), "EdgeTrust") !=
       this->Quantities.end();
     options.Refuse(!trust, { "--edge-distance" },
@@ -59,7 +59,7 @@ struct SkyViewCommand
     { return std::find(wanted.begin(), wanted.end(), name) != wanted.end(); };
 
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Common, this->Output.File);
-    this->Horizon.WarnIdle(terrain, this->Common);
+    this->Horizon.WarnUnused(terrain, this->Common);
     vtkNew<vtkHeightFieldSkyView> sky;
     sky->SetInputData(terrain);
     sky->SetNumberOfAzimuths(this->Horizon.Azimuths);

@@ -75,7 +75,7 @@ struct SunCommand
   {
     skyline::CheckRasterOutput(this->Output.File, { this->Terrain.File });
     const auto terrain = skyline::ReadTerrain(this->Terrain, this->Common, this->Output.File);
-    this->Horizon.WarnIdle(terrain, this->Common);
+    this->Horizon.WarnUnused(terrain, this->Common);
     vtkNew<vtkHeightFieldSunShadow> shadow;
     shadow->SetInputData(terrain);
     this->Horizon.Apply(shadow.Get());
@@ -88,8 +88,8 @@ struct SunCommand
 
   void Check(const skyline::UnusedOptions& options) const
   {
-    this->Horizon.RefuseIdle(options);
-    skyline::RefuseIdleSun(this->Sun, options);
+    this->Horizon.RefuseUnused(options);
+    skyline::RefuseUnusedSun(this->Sun, options);
     options.Refuse(this->Output.File.empty(),
       { "--cloud-optimized", "--limb-darkening", "--method", "--surface", "--flat", "--refraction",
         "--tolerance" },
@@ -129,8 +129,8 @@ void AddSun(CLI::App& program)
     "of the area of the disc that the Moon covers) and the eclipse magnitude (part of the\n"
     "diameter).\n"
     "With -o, writes a GeoTIFF of float32 with one band, SunVisibility: the visible share of the\n"
-    "sun's disc, 0 to 1; during an eclipse at --time, times the share of its light that the Moon\n"
-    "leaves.");
+    "sun's disc, 0 to 1; during an eclipse at --time, multiplied by the share of its light that\n"
+    "the Moon leaves.");
   command->Terrain.AddTo(*app);
   command->Output.AddTo(
     *app, "GeoTIFF to write. Default: none; the position of the sun is printed", false);

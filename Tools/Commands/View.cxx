@@ -43,8 +43,8 @@ struct ViewCommand
 
   void Check(const skyline::UnusedOptions& options) const
   {
-    this->Options.Horizon.RefuseIdle(options);
-    skyline::RefuseIdleSun(this->Options.Lights.Sun, options);
+    this->Options.Horizon.RefuseUnused(options);
+    skyline::RefuseUnusedSun(this->Options.Lights.Sun, options);
   }
 
   void Run()
@@ -95,12 +95,7 @@ void AddView(CLI::App& program)
   command->Perspective.AddTo(*app);
   command->Options.Horizon.AddTo(*app);
   AddCommonOptions(*app, command->Common);
-  app->callback(
-    [command, app]
-    {
-      command->Check(UnusedOptions(*app));
-      command->Run();
-    });
+  RunAfterCheck(*app, command);
 }
 
 } // namespace skyline

@@ -130,9 +130,9 @@ void AddSunOptions(CLI::App& command, SunDescription& sun, bool limbDarkening)
     ->type_name("AZ,EL")
     ->excludes(time);
   AddNumber(command, "--sun-radius", sun.Radius, RadiusLimits,
-    "Angular radius of the sun's disc in degrees, 0 to less than 90; 0: hard shadows.\n"
-    "Default: the true radius with --time, " +
-      NumberText(MeanSunRadius) + " otherwise")
+    std::string("Angular radius of the sun's disc in degrees, 0 to less than 90") +
+      (limbDarkening ? "; 0: hard shadows.\n" : ", for --soft.\n") +
+      "Default: the true radius with --time, " + NumberText(MeanSunRadius) + " otherwise")
     ->type_name("DEG");
   if (limbDarkening)
   {
@@ -141,7 +141,7 @@ void AddSunOptions(CLI::App& command, SunDescription& sun, bool limbDarkening)
   }
 }
 
-void RefuseIdleSun(const SunDescription& sun, const UnusedOptions& options)
+void RefuseUnusedSun(const SunDescription& sun, const UnusedOptions& options)
 {
   options.Refuse(sun.Radius == 0.0, { "--limb-darkening" },
     "a sun of --sun-radius 0 is a point without a limb; leave one of the two out");
@@ -218,10 +218,10 @@ void AddLampOptions(CLI::App& command, LightDescription& lights, bool picture)
     ->delimiter('\0');
 }
 
-void RefuseIdleLights(const LightDescription& lights, const UnusedOptions& options, SkyKind kind,
+void RefuseUnusedLights(const LightDescription& lights, const UnusedOptions& options, SkyKind kind,
   bool sunShines, bool keyLight)
 {
-  RefuseIdleSun(lights.Sun, options);
+  RefuseUnusedSun(lights.Sun, options);
   options.Refuse(kind == SkyKind::Perez && !lights.Sun.Asked(), { "--environment" },
     "a perez sky needs a sun; give it by --sun AZ,EL or --time");
   options.Refuse(!sunShines, { "--sun-irradiance", "--sun-radius", "--limb-darkening" },

@@ -22,7 +22,7 @@ class UnusedOptions;
 void AddSunOptions(CLI::App& command, SunDescription& sun, bool limbDarkening = true);
 
 /// Throws WrongUsage for options that have no effect with this sun. To be called before any work.
-void RefuseIdleSun(const SunDescription& sun, const UnusedOptions& options);
+void RefuseUnusedSun(const SunDescription& sun, const UnusedOptions& options);
 
 /// Warns if the time has no time zone.
 void WarnOfZone(const SunDescription& sun, const CommonOptions& common);
@@ -38,7 +38,7 @@ void AddLampOptions(CLI::App& command, LightDescription& lights, bool picture = 
 /// Throws WrongUsage for options that have no effect under a sky of this type. To be called before
 /// any work. `sunShines`: a sun is among the lights. `keyLight`: a wide sun is a key light, which
 /// has no limb.
-void RefuseIdleLights(const LightDescription& lights, const UnusedOptions& options, SkyKind kind,
+void RefuseUnusedLights(const LightDescription& lights, const UnusedOptions& options, SkyKind kind,
   bool sunShines, bool keyLight);
 
 /// Warns if --rotation turns a sky of this type away from its sun.

@@ -60,8 +60,8 @@ void LookOptions::AddTo(CLI::App& command)
   command
     .add_option_function<std::string>(
       "--exposure", [this](const std::string& text) { this->Exposure = ReadNumber(text); },
-      "auto, or a number of stops: 0 shows level open ground in its own colour, +1 doubles the\n"
-      "light. Bright parts are compressed, not clipped")
+      "auto, or a number of stops, -1000 to 1000: 0 shows level open ground in its own colour,\n"
+      "+1 doubles the light. Bright parts are compressed, not clipped")
     ->type_name("EV")
     ->check(Checked(CheckExposure))
     ->default_str(Automatic);

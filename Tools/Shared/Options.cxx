@@ -128,7 +128,7 @@ void HorizonOptions::AddTo(CLI::App& command, const HorizonNeeds& needs)
   }
 }
 
-void HorizonOptions::RefuseIdle(const UnusedOptions& options) const
+void HorizonOptions::RefuseUnused(const UnusedOptions& options) const
 {
   const bool triangles = this->Method == "sweep" || this->Method == "pyramid";
   options.Refuse(triangles && this->Surface != "triangles", { "--surface" },
@@ -140,7 +140,7 @@ void HorizonOptions::RefuseIdle(const UnusedOptions& options) const
     this->Flat, { "--refraction" }, "--flat switches refraction off; leave one of the two out");
 }
 
-void HorizonOptions::WarnIdle(vtkImageData* terrain, const CommonOptions& common) const
+void HorizonOptions::WarnUnused(vtkImageData* terrain, const CommonOptions& common) const
 {
   const Georeference place = LoadGeoreference(terrain);
   if (this->Refraction && !(place.OnBody() && place.Earth))

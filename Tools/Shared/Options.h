@@ -84,10 +84,10 @@ struct HorizonOptions
   void AddTo(CLI::App& command, const HorizonNeeds& needs = {});
 
   /// Throws WrongUsage for options that have no effect. To be called before any work.
-  void RefuseIdle(const UnusedOptions& options) const;
+  void RefuseUnused(const UnusedOptions& options) const;
 
   /// Warns of options that have no effect on this terrain.
-  void WarnIdle(vtkImageData* terrain, const CommonOptions& common) const;
+  void WarnUnused(vtkImageData* terrain, const CommonOptions& common) const;
 
   /// Sets the properties that all filters on horizons share.
   template <typename Filter>

@@ -109,12 +109,14 @@ void PerspectiveOptions::AddTo(CLI::App& command)
 {
   command
     .add_option("--from", this->From,
-      "Perspective: direction of the viewer from the terrain, azimuth and elevation in degrees")
+      "Perspective: direction of the viewer from the terrain, azimuth and elevation in degrees;\n"
+      "elevation 0 to 90")
     ->type_name("AZ,EL")
     ->check(Checked(CheckFrom))
     ->capture_default_str();
   command
-    .add_option("--size", this->Size, "Perspective: width and height of the picture in pixels")
+    .add_option("--size", this->Size,
+      "Perspective: width and height of the picture in pixels, 1x1 to 8192x8192")
     ->type_name("WxH")
     ->check(Checked(CheckSize))
     ->capture_default_str();

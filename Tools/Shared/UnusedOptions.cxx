@@ -15,23 +15,23 @@ bool UnusedOptions::Given(const std::string& option) const
 }
 
 void UnusedOptions::Refuse(
-  bool idle, std::initializer_list<const char*> options, const std::string& reason) const
+  bool unused, std::initializer_list<const char*> options, const std::string& reason) const
 {
   for (const char* option : options)
   {
-    if (idle && this->Given(option))
+    if (unused && this->Given(option))
     {
       throw WrongUsage(std::string(option) + ": " + reason);
     }
   }
 }
 
-void UnusedOptions::Warn(bool idle, std::initializer_list<const char*> options,
+void UnusedOptions::Warn(bool unused, std::initializer_list<const char*> options,
   const std::string& reason, const CommonOptions& common) const
 {
   for (const char* option : options)
   {
-    if (idle && this->Given(option))
+    if (unused && this->Given(option))
     {
       PrintWarning(
         Doubt{ std::string(option) + " does nothing here: " + reason, "the result without it", "" },

@@ -28,13 +28,13 @@ public:
   /// Returns whether the user gave the option; false if the command does not have it.
   bool Given(const std::string& option) const;
 
-  /// Throws WrongUsage with "OPTION: REASON" if `idle` is true and the user gave one of the
+  /// Throws WrongUsage with "OPTION: REASON" if `unused` is true and the user gave one of the
   /// options.
   void Refuse(
-    bool idle, std::initializer_list<const char*> options, const std::string& reason) const;
+    bool unused, std::initializer_list<const char*> options, const std::string& reason) const;
 
   /// Prints a warning instead, for an option without effect whose absence gives the same result.
-  void Warn(bool idle, std::initializer_list<const char*> options, const std::string& reason,
+  void Warn(bool unused, std::initializer_list<const char*> options, const std::string& reason,
     const CommonOptions& common) const;
 
 private:

@@ -38,8 +38,9 @@ SunClock::SunClock(const std::string& time, int zone)
   const UtcTime utc = ParseUtcTime(time);
   if (utc.Year < FirstYear || utc.Year > LastYear)
   {
-    throw std::out_of_range("the window's calendar knows the years " + std::to_string(FirstYear) +
-      " to " + std::to_string(LastYear) + ", not " + std::to_string(utc.Year));
+    throw std::out_of_range("the year is " + std::to_string(utc.Year) +
+      "; in the window, give a time in the years " + std::to_string(FirstYear) + " to " +
+      std::to_string(LastYear));
   }
   this->Year = utc.Year;
   this->DayOfYear = DayNumber({ utc.Year, utc.Month, utc.Day }) - DayNumber({ utc.Year, 1, 1 }) + 1;

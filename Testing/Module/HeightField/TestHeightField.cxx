@@ -23,7 +23,7 @@ TEST(HeightField, RefusesWhatCarriesNoSurface)
 }
 
 // A post that has only missing neighbours is a receiver, but not an occluder.
-TEST(HeightField, LonelyPostsReceiveOnly)
+TEST(HeightField, IsolatedPostsReceiveOnly)
 {
   oracle::OracleField field = shapes::Plane(9, 9, 1.0, 0.0, 0.0);
   for (std::ptrdiff_t j = 3; j < 6; ++j)

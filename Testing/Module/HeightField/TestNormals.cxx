@@ -77,7 +77,7 @@ TEST(Normals, AgreesWithTheOracleBesideMissingPosts)
   }
 }
 
-TEST(Normals, LonelyPostIsLevel)
+TEST(Normals, IsolatedPostIsLevel)
 {
   const Grid grid{ 3, 3, 1.0, 1.0 };
   const Pair gradients = All(grid,
