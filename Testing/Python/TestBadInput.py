@@ -135,7 +135,7 @@ class BadInput(unittest.TestCase):
                      surface="bilinear", **sun)
         with self.assertWarnsRegex(UserWarning, "cie:12 is brighter around the sun.*assuming its sun"):
             light(Z, 10.0, "cie:12")
-        with self.assertWarnsRegex(UserWarning, "lamp 1 stands 5000 km beside"):
+        with self.assertWarnsRegex(UserWarning, "lamp 1 stands 5000 km outside"):
             light(Z, 10.0, lamps=[(5e6, 0.0, 3.0, 1.0)])
 
     def test_places(self):
